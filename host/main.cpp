@@ -1,0 +1,4 @@
+// The program `slipstick`.
+#include <cstdio>
+
+int main() { return 0; }
