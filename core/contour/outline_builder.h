@@ -15,7 +15,8 @@ class OutlineBuilder {
  public:
   explicit OutlineBuilder(const ContourSet& contours) : contours_(contours) {}
 
-  /// Adds `loop` with the vertices `kept` (ascending, at least 3). \pre Every run between neighbours stabs.
+  /// Adds `loop` with the vertices `kept` (ascending, at least 3). \pre Every run between
+  /// neighbours stabs.
   void add(const ContourSet::Loop& loop, std::span<const std::size_t> kept);
 
   /// Counts a regional distortion (mm³) into the maximum.

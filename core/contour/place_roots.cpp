@@ -6,7 +6,8 @@
 namespace slipstick {
 namespace {
 
-// Neighbours along a contour are neighbours in space, so a batch asks a section narrowed to a small box.
+// Neighbours along a contour are neighbours in space, so a batch asks a section narrowed to a small
+// box.
 constexpr std::size_t kBatch = 64;
 
 class Bisection {
@@ -52,7 +53,8 @@ class Bisection {
   Vec2 mm(GridPoint p) const { return {contours_.grid().x_of(p.x), contours_.grid().y_of(p.y)}; }
 
   ContourSet& contours_;
-  std::vector<std::int32_t> inside_end_;  // the bracket's inside end; its other end is `half` farther
+  std::vector<std::int32_t>
+      inside_end_;  // the bracket's inside end; its other end is `half` farther
   std::vector<double> xs_;
   std::vector<double> ys_;
   std::vector<std::uint8_t> inside_;

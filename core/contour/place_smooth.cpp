@@ -9,7 +9,7 @@
 namespace slipstick {
 namespace {
 
-constexpr double kRate = 0.4;             // the paper's τ
+constexpr double kRate = 0.4;              // the paper's τ
 constexpr double kMeanMovementEnd = 1e-3;  // of a cell
 constexpr auto kCell = static_cast<double>(SliceGrid::kUnitsPerCell);
 
@@ -48,7 +48,9 @@ double on_projection(const Sliding& s, Vec2 before, Vec2 after) {
 using Target = double (*)(const Sliding&, Vec2 before, Vec2 after);
 
 // In floating point t would reach the node after some 70 rounds; the place never does.
-double kept_open(double t) { return std::clamp(t, 1 / kCell, 1 - 1 / kCell); }
+double kept_open(double t) {
+  return std::clamp(t, 1 / kCell, 1 - 1 / kCell);
+}
 
 double round_of(std::vector<Sliding>& loop, std::vector<double>& next, Target target) {
   const std::size_t n = loop.size();
@@ -78,8 +80,12 @@ void smooth(ContourSet& contours, Target target) {
 
 }  // namespace
 
-void place_sliding(ContourSet& contours) { smooth(contours, on_line); }
+void place_sliding(ContourSet& contours) {
+  smooth(contours, on_line);
+}
 
-void place_projection(ContourSet& contours) { smooth(contours, on_projection); }
+void place_projection(ContourSet& contours) {
+  smooth(contours, on_projection);
+}
 
 }  // namespace slipstick

@@ -16,8 +16,9 @@ struct Proxy {
 /// The line through two points. \pre They differ.
 [[nodiscard]] Proxy line_through(Vec2 a, Vec2 b);
 
-/// Equation (2): the integral of the squared distance from the line over the edge from `a` to `b`. The
-/// distances are signed: with absolute ones an edge that crosses the line is overcharged up to threefold.
+/// Equation (2): the integral of the squared distance from the line over the edge from `a` to `b`.
+/// The distances are signed: with absolute ones an edge that crosses the line is overcharged up to
+/// threefold.
 [[nodiscard]] double distortion(Vec2 a, Vec2 b, const Proxy& proxy);
 
 /// Sums over the edges of a region from which its best proxy follows, equations (3) and (4).
@@ -34,7 +35,7 @@ class RegionMoments {
  private:
   Vec2 origin_;
   double length_ = 0;
-  Vec2 first_;        // integral of position
+  Vec2 first_;                       // integral of position
   double xx_ = 0, xy_ = 0, yy_ = 0;  // integrals of products
 };
 

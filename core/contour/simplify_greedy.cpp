@@ -11,8 +11,9 @@ bool fits(const LoopView& loop, Run run, double tolerance) {
   return stabs(loop, run) && deviation(loop, run) <= tolerance;
 }
 
-// The farthest vertex, up to `limit`, found by doubling and halving. Not always the farthest of all: a
-// longer run may fit where a shorter one does not, but looking at each would cost the square.
+// The farthest vertex, up to `limit`, found by doubling and halving. Not always the farthest of
+// all: a longer run may fit where a shorter one does not, but looking at each would cost the
+// square.
 std::size_t reach(const LoopView& loop, std::size_t from, std::size_t limit, double tolerance) {
   std::size_t good = from + 1;
   std::size_t stride = 1;

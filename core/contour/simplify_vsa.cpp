@@ -11,16 +11,18 @@ namespace {
 // Fewer regions would ask for a loop of one or two edges.
 constexpr std::size_t kRegionsMin = 3;
 
-// Verification and splitting of the regions of one loop (section 5.2), in units of 1/65536 of a cell.
+// Verification and splitting of the regions of one loop (section 5.2), in units of 1/65536 of a
+// cell.
 //
-// The paper's distortion test compares D', a length cubed, with the square of r', and by its own tables
-// never binds. Ours bounds the deviation, a length; D' is reported.
+// The paper's distortion test compares D', a length cubed, with the square of r', and by its own
+// tables never binds. Ours bounds the deviation, a length; D' is reported.
 class Verifier {
  public:
   Verifier(const LoopView& loop, double tolerance) : loop_(loop), tolerance_(tolerance) {}
 
-  // Appends the first vertices of the edges that replace `run`. Each cut makes runs shorter and a run of
-  // one edge always passes, so the recursion is no deeper than the run is long; in practice log of that.
+  // Appends the first vertices of the edges that replace `run`. Each cut makes runs shorter and a
+  // run of one edge always passes, so the recursion is no deeper than the run is long; in practice
+  // log of that.
   void replace(Run run) {
     if (run.last - run.first == 1) return kept_.push_back(run.first);
     if (stabs(loop_, run) && deviation(loop_, run) <= tolerance_) {

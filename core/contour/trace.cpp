@@ -22,11 +22,12 @@ struct Ahead {
 
 Ahead ahead(const BitImage& image, Stick s) {
   const Step e = step(s.outward), m = step(turned(s.outward, 1));
-  return {image.at(s.column + m.x, s.row + m.y),
-          image.at(s.column + e.x + m.x, s.row + e.y + m.y)};
+  return {image.at(s.column + m.x, s.row + m.y), image.at(s.column + e.x + m.x, s.row + e.y + m.y)};
 }
 
-Stick turn_left(Stick s) { return stick_at(s.column, s.row, turned(s.outward, 1)); }
+Stick turn_left(Stick s) {
+  return stick_at(s.column, s.row, turned(s.outward, 1));
+}
 
 Stick go_straight(Stick s) {
   const Step m = step(turned(s.outward, 1));
@@ -54,8 +55,9 @@ std::optional<int> left_column(Stick s) {
 
 }  // namespace
 
-/// Scans rows upwards; where it meets a horizontal stick that no loop has yet, it follows that loop.
-/// Nesting comes from the loop met just before on the row, as in Suzuki and Abe's border following (1985).
+/// Scans rows upwards; where it meets a horizontal stick that no loop has yet, it follows that
+/// loop. Nesting comes from the loop met just before on the row, as in Suzuki and Abe's border
+/// following (1985).
 class Tracer {
  public:
   Tracer(const BitImage& image, Ambiguity ambiguity)
