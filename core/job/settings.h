@@ -45,10 +45,10 @@ struct MaterialSettings {
 };
 
 /// Where vertices sit on their sticks (ALGORITHMS C2, C3).
-enum class Placement : std::uint8_t { kRoots, kSliding, kProjection, kLaplacian, kMidpoints };
+enum class Placement : std::uint8_t { kRoots, kSliding, kProjection, kMidpoints };
 
 /// How contours get fewer edges.
-enum class Simplification : std::uint8_t { kVsa, kNone };
+enum class Simplification : std::uint8_t { kVsa, kGreedy, kNone };
 
 /// How the solid becomes contours (paper, sections 3 to 5).
 struct SlicingSettings {
