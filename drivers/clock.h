@@ -4,7 +4,8 @@
 
 namespace slipstick {
 
-/// Time since some fixed moment, to the microsecond. Everything that waits or measures gets it from a `Clock`.
+/// Time since some fixed moment, to the microsecond. Everything that waits or measures gets it from
+/// a `Clock`.
 using Moment = std::chrono::microseconds;
 
 /// Where time comes from: the machine, a simulated printer or a test.

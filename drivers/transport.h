@@ -11,9 +11,10 @@ namespace slipstick {
 
 /// A reliable-or-dead, ordered stream of bytes to and from one printer.
 ///
-/// The serial port, the simulated printer, a pseudo-terminal and a socket are all this and nothing more,
-/// so that everything above is tested against the code that prints. A transport knows nothing of lines,
-/// checksums or G-code. (The wire may still damage bytes: reliable is the interface, not the cable.)
+/// The serial port, the simulated printer, a pseudo-terminal and a socket are all this and nothing
+/// more, so that everything above is tested against the code that prints. A transport knows nothing
+/// of lines, checksums or G-code. (The wire may still damage bytes: reliable is the interface, not
+/// the cable.)
 ///
 /// Threads: one thread reads and writes; `shut_down` may be called by any thread at any time.
 class Transport {

@@ -56,9 +56,9 @@ Affine3 inverse(const Affine3& map) {
 Box3 image_of(const Affine3& map, const Box3& box) {
   Box3 result;
   for (int corner = 0; corner < 8; ++corner) {
-    result = result.with(map({(corner & 1) != 0 ? box.high.x : box.low.x,
-                              (corner & 2) != 0 ? box.high.y : box.low.y,
-                              (corner & 4) != 0 ? box.high.z : box.low.z}));
+    result = result.with(
+        map({(corner & 1) != 0 ? box.high.x : box.low.x, (corner & 2) != 0 ? box.high.y : box.low.y,
+             (corner & 4) != 0 ? box.high.z : box.low.z}));
   }
   return result;
 }

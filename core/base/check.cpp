@@ -11,7 +11,9 @@ std::atomic<CheckHook> check_hook{nullptr};
 
 }  // namespace
 
-void set_check_hook(CheckHook hook) noexcept { check_hook = hook; }
+void set_check_hook(CheckHook hook) noexcept {
+  check_hook = hook;
+}
 
 void check_failed(const char* condition, const char* file, int line) noexcept {
   if (const CheckHook hook = check_hook.exchange(nullptr)) hook();

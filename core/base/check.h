@@ -5,10 +5,11 @@ namespace slipstick {
 /// \file
 /// Checks for programmers' errors. Errors of operation are `Result`s (result.h).
 ///
-/// A failed check is on in every build: stopping beats continuing wrongly. Before it aborts it calls
-/// the hook, with which the host makes the printer safe.
+/// A failed check is on in every build: stopping beats continuing wrongly. Before it aborts it
+/// calls the hook, with which the host makes the printer safe.
 
-/// What a failed check calls first. Must be async-signal-safe and must not return control to callers.
+/// What a failed check calls first. Must be async-signal-safe and must not return control to
+/// callers.
 using CheckHook = void (*)();
 
 /// Installs `hook` for the rest of the process; null removes it. Any thread.

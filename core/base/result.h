@@ -10,7 +10,7 @@ namespace slipstick {
 
 /// Who can do something about an error.
 enum class ErrorCode : std::uint8_t {
-  kInput,        ///< The user: a file, an option, a model. The message says what, where and what to do.
+  kInput,  ///< The user: a file, an option, a model. The message says what, where and what to do.
   kUnavailable,  ///< The machine: a device or a file that is gone, a full disk.
   kTimedOut,     ///< Nobody yet: nothing came in time, trying again may help.
   kCancelled,    ///< Somebody asked for it.

@@ -11,14 +11,15 @@
 
 namespace slipstick {
 
-/// Which samples of an ambiguous square (paper, fig. 7 d) hang together. One rule for a whole print:
-/// the three-dimensional argument needs it (ALGORITHMS: Ball Union joins the inside samples).
+/// Which samples of an ambiguous square (paper, fig. 7 d) hang together. One rule for a whole
+/// print: the three-dimensional argument needs it (ALGORITHMS: Ball Union joins the inside
+/// samples).
 enum class Ambiguity : std::uint8_t { kSolid, kVoid };
 
 /// All closed contours of one layer before simplification: loops of sticks, a place on each.
 ///
-/// Only `trace` makes one, so every loop closes, every stick is in exactly one loop and the solid lies
-/// on the left. Places can be changed, sticks cannot: smoothing cannot break a contour.
+/// Only `trace` makes one, so every loop closes, every stick is in exactly one loop and the solid
+/// lies on the left. Places can be changed, sticks cannot: smoothing cannot break a contour.
 class ContourSet {
  public:
   struct Loop {

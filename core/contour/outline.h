@@ -10,11 +10,11 @@
 
 namespace slipstick {
 
-/// The finished contours of one layer: closed polygons, free of self-intersection and disjoint, that
-/// separate exactly the inside samples from the outside ones.
+/// The finished contours of one layer: closed polygons, free of self-intersection and disjoint,
+/// that separate exactly the inside samples from the outside ones.
 ///
-/// Even depth runs counter-clockwise, odd clockwise: the solid lies on the left. Made by the functions of
-/// simplify.h only, which prove what is said here; `audit` checks it from outside.
+/// Even depth runs counter-clockwise, odd clockwise: the solid lies on the left. Made by the
+/// functions of simplify.h only, which prove what is said here; `audit` checks it from outside.
 class Outline {
  public:
   struct Loop {

@@ -10,10 +10,10 @@ namespace slipstick {
 /// \file
 /// Sticks (paper, section 3.2): the grid edges that a contour crosses.
 ///
-/// A stick joins two neighbouring samples of the binary image of which one is inside the solid and the
-/// other is not. Every contour vertex lives on exactly one stick and only ever slides along it. That
-/// alone keeps contours free of self-intersection (proposition 3) and every sample on its own side
-/// (proposition 4), so nothing downstream has to repair anything.
+/// A stick joins two neighbouring samples of the binary image of which one is inside the solid and
+/// the other is not. Every contour vertex lives on exactly one stick and only ever slides along it.
+/// That alone keeps contours free of self-intersection (proposition 3) and every sample on its own
+/// side (proposition 4), so nothing downstream has to repair anything.
 
 /// A point of the contour plane in 1/65536 of a cell, counted from node (0, 0) of the grid.
 struct GridPoint {
@@ -23,8 +23,8 @@ struct GridPoint {
   friend constexpr bool operator==(const GridPoint&, const GridPoint&) = default;
 };
 
-/// (a - o) × (b - o): positive where o, a, b turn left. Exact: a window has at most 2^14 cells a side,
-/// so differences are below 2^31 and the result below 2^62.
+/// (a - o) × (b - o): positive where o, a, b turn left. Exact: a window has at most 2^14 cells a
+/// side, so differences are below 2^31 and the result below 2^62.
 [[nodiscard]] constexpr std::int64_t cross(GridPoint o, GridPoint a, GridPoint b) {
   const std::int64_t ax = std::int64_t{a.x} - o.x, ay = std::int64_t{a.y} - o.y;
   const std::int64_t bx = std::int64_t{b.x} - o.x, by = std::int64_t{b.y} - o.y;
@@ -45,9 +45,9 @@ struct Stick {
 
 /// A place strictly between the ends of a stick, in 65536ths from the inside node.
 ///
-/// A stick is an open interval. This is not a nicety: a vertex on a node changes which side that sample
-/// is on, and with closed sticks simplification loses pixels on almost every image. So the type holds
-/// the distance, and no code can write 0 or 65536 into it.
+/// A stick is an open interval. This is not a nicety: a vertex on a node changes which side that
+/// sample is on, and with closed sticks simplification loses pixels on almost every image. So the
+/// type holds the distance, and no code can write 0 or 65536 into it.
 class Place {
  public:
   static constexpr std::int64_t kLowest = 1;
@@ -77,10 +77,14 @@ struct Step {
 };
 [[nodiscard]] constexpr Step step(Outward outward) {
   switch (outward) {
-    case Outward::kEast: return {1, 0};
-    case Outward::kNorth: return {0, 1};
-    case Outward::kWest: return {-1, 0};
-    case Outward::kSouth: return {0, -1};
+    case Outward::kEast:
+      return {1, 0};
+    case Outward::kNorth:
+      return {0, 1};
+    case Outward::kWest:
+      return {-1, 0};
+    case Outward::kSouth:
+      return {0, -1};
   }
   return {};
 }

@@ -67,8 +67,14 @@ class BitImage {
   std::vector<std::uint64_t> words_;
 };
 
-[[nodiscard]] inline BitImage operator&(BitImage a, const BitImage& b) { return a &= b; }
-[[nodiscard]] inline BitImage operator|(BitImage a, const BitImage& b) { return a |= b; }
-[[nodiscard]] inline BitImage operator-(BitImage a, const BitImage& b) { return a -= b; }
+[[nodiscard]] inline BitImage operator&(BitImage a, const BitImage& b) {
+  return a &= b;
+}
+[[nodiscard]] inline BitImage operator|(BitImage a, const BitImage& b) {
+  return a |= b;
+}
+[[nodiscard]] inline BitImage operator-(BitImage a, const BitImage& b) {
+  return a -= b;
+}
 
 }  // namespace slipstick

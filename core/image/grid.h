@@ -9,10 +9,10 @@ namespace slipstick {
 
 /// The square lattice on which one print is sampled, and the window of it that holds the solid.
 ///
-/// Nodes lie at whole multiples of the grid width h (the paper's r'), so all layers of a print and all
-/// prints of one h share one lattice. h is a whole number of 2^-22 mm and a window has at most 2^14
-/// nodes a side, so that every coordinate of a contour, (column + k/65536)·h, is exactly a double: what
-/// is printed in millimetres is the very point that was verified.
+/// Nodes lie at whole multiples of the grid width h (the paper's r'), so all layers of a print and
+/// all prints of one h share one lattice. h is a whole number of 2^-22 mm and a window has at most
+/// 2^14 nodes a side, so that every coordinate of a contour, (column + k/65536)·h, is exactly a
+/// double: what is printed in millimetres is the very point that was verified.
 class SliceGrid {
  public:
   static constexpr int kNodesMax = 1 << 14;
@@ -21,7 +21,8 @@ class SliceGrid {
 
   /// The lattice of the largest width h <= `sampling` over `area`, with a ring of nodes outside it.
   ///
-  /// \return kInput if `sampling` is out of range, `area` is empty or not finite, or the window would
+  /// \return kInput if `sampling` is out of range, `area` is empty or not finite, or the window
+  /// would
   ///   have more than `kNodesMax` nodes a side (the message says which sampling would do).
   [[nodiscard]] static Result<SliceGrid> over(const Box2& area, double sampling);
 

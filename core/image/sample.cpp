@@ -8,7 +8,8 @@
 namespace slipstick {
 namespace {
 
-// Nodes a side of the tiles asked about as a whole, coarse to fine; the last are sampled node by node.
+// Nodes a side of the tiles asked about as a whole, coarse to fine; the last are sampled node by
+// node.
 constexpr int kTileSizeMax = 128;
 constexpr int kTileSizeMin = 16;
 

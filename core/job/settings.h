@@ -9,21 +9,22 @@
 namespace slipstick {
 
 /// \file
-/// All settings of a print. settings_table.h names each with unit, range, default and help; loaders,
+/// All settings of a print. settings_table.h names each with unit, range, default and help;
+/// loaders,
 /// `--set key=value` and the reference in docs/ go through that table.
 
 /// The machine.
 struct PrinterSettings {
   std::string name = "Generic Marlin";
-  Vec3 bed_size{220, 220, 250};   ///< Build volume, origin at a corner.
+  Vec3 bed_size{220, 220, 250};  ///< Build volume, origin at a corner.
   double nozzle_diameter = 0.4;
   double filament_diameter = 1.75;
-  double acceleration = 1000;      ///< mm/s², printing.
+  double acceleration = 1000;  ///< mm/s², printing.
   double travel_acceleration = 1500;
-  double speed_max = 200;          ///< mm/s, X and Y.
-  double z_speed_max = 10;         ///< mm/s.
+  double speed_max = 200;   ///< mm/s, X and Y.
+  double z_speed_max = 10;  ///< mm/s.
   int baud = 115200;
-  std::string start_gcode;         ///< {bed_celsius} and {nozzle_celsius} are replaced.
+  std::string start_gcode;  ///< {bed_celsius} and {nozzle_celsius} are replaced.
   std::string end_gcode;
 };
 
@@ -34,28 +35,28 @@ struct MaterialSettings {
   double first_layer_nozzle_celsius = 210;
   double bed_celsius = 60;
   double first_layer_bed_celsius = 60;
-  double fan = 1;                   ///< 0 to 1, from the second layer on.
-  double flow = 1;                  ///< Factor on all extrusion.
-  double density = 1.24;            ///< g/cm³.
-  double volume_speed_max = 12;     ///< mm³/s that the hot end melts.
-  double retraction = 1;            ///< mm of filament; 0 is none.
-  double retraction_speed = 35;     ///< mm/s.
-  double seconds_per_layer_min = 8; ///< Slower on small layers, so that they cool.
+  double fan = 1;                    ///< 0 to 1, from the second layer on.
+  double flow = 1;                   ///< Factor on all extrusion.
+  double density = 1.24;             ///< g/cm³.
+  double volume_speed_max = 12;      ///< mm³/s that the hot end melts.
+  double retraction = 1;             ///< mm of filament; 0 is none.
+  double retraction_speed = 35;      ///< mm/s.
+  double seconds_per_layer_min = 8;  ///< Slower on small layers, so that they cool.
 };
 
 /// Where vertices sit on their sticks (ALGORITHMS C2, C3).
-enum class Placement : std::uint8_t { kRoots, kSliding, kProjection, kLaplacian, kMidpoints };
+enum class Placement : std::uint8_t { kRoots, kSliding, kProjection, kMidpoints };
 
 /// How contours get fewer edges.
-enum class Simplification : std::uint8_t { kVsa, kNone };
+enum class Simplification : std::uint8_t { kVsa, kGreedy, kNone };
 
 /// How the solid becomes contours (paper, sections 3 to 5).
 struct SlicingSettings {
   double layer_height = 0.2;
   double first_layer_height = 0.2;
-  double sampling = 0.1;        ///< The paper's r'.
-  int alpha = 10;               ///< The paper's clustering ratio: one proxy for so many edges.
-  double tolerance = 0.025;     ///< mm: Fréchet bound between simplified and placed contours.
+  double sampling = 0.1;     ///< The paper's r'.
+  int alpha = 10;            ///< The paper's clustering ratio: one proxy for so many edges.
+  double tolerance = 0.025;  ///< mm: Fréchet bound between simplified and placed contours.
   Placement place = Placement::kRoots;
   Simplification simplify = Simplification::kVsa;
   Ambiguity ambiguity = Ambiguity::kSolid;
@@ -68,12 +69,12 @@ struct ToolpathSettings {
   int perimeters = 2;
   int top_layers = 4;
   int bottom_layers = 3;
-  double infill_density = 0.15;     ///< 0 to 1.
-  double infill_angle = 45;         ///< Degrees on even layers; odd ones are turned by 90.
-  double infill_overlap = 0.15;     ///< Of a line width, into the innermost perimeter.
+  double infill_density = 0.15;  ///< 0 to 1.
+  double infill_angle = 45;      ///< Degrees on even layers; odd ones are turned by 90.
+  double infill_overlap = 0.15;  ///< Of a line width, into the innermost perimeter.
   int skirt_loops = 1;
   double skirt_distance = 4;
-  double perimeter_speed = 45;      ///< mm/s, this and the following.
+  double perimeter_speed = 45;  ///< mm/s, this and the following.
   double outer_perimeter_speed = 30;
   double infill_speed = 60;
   double skin_speed = 45;

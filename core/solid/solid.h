@@ -22,7 +22,8 @@ enum class Cover : std::uint8_t { kMixed, kInside, kOutside };
 /// A solid cut by one plane z = constant of the print's frame.
 ///
 /// Purity: whether a point is inside depends on the solid, the height and the point alone, never on
-/// which points were asked together or through which narrowed section. Everything exact rests on it.
+/// which points were asked together or through which narrowed section. Everything exact rests on
+/// it.
 ///
 /// Threads: a section is used by one thread at a time; it may hold scratch memory.
 class Section {
@@ -38,8 +39,9 @@ class Section {
                         std::span<std::uint8_t> inside) = 0;
 
   struct Narrowed;
-  /// What is known of `box` as a whole, and, where that is not enough, a section that gives the same
-  /// answers in the box for less work. `kInside` and `kOutside` are certain for every point of it.
+  /// What is known of `box` as a whole, and, where that is not enough, a section that gives the
+  /// same answers in the box for less work. `kInside` and `kOutside` are certain for every point of
+  /// it.
   [[nodiscard]] virtual Narrowed narrowed(const Box2& box) = 0;
 
   /// A point at which f was NaN, if `classify` met one, of this section or of one narrowed from it.
@@ -76,8 +78,8 @@ class Model {
   Model& operator=(const Model&) = delete;
   virtual ~Model() = default;
 
-  /// The box of the model under `map`, tight to about a thousandth of its size and never too small by
-  /// more than that. Empty if the solid is.
+  /// The box of the model under `map`, tight to about a thousandth of its size and never too small
+  /// by more than that. Empty if the solid is.
   [[nodiscard]] virtual Box3 bounds_under(const Affine3& map) const = 0;
 
   /// The solid {map(p) : p in the model}. \pre `map` is invertible.

@@ -3,8 +3,9 @@
 namespace slipstick {
 
 /// \file
-/// Cross-sections of beads: a rectangle with round ends where the bead is wider than the layer is high,
-/// (w − l)·l + π·l²/4, and a circle where it is narrower. Slicer and simulator share the model.
+/// Cross-sections of beads: a rectangle with round ends where the bead is wider than the layer is
+/// high, (w − l)·l + π·l²/4, and a circle where it is narrower. Slicer and simulator share the
+/// model.
 
 /// mm² of a bead `width` wide in a layer `height` high. \pre Both > 0.
 [[nodiscard]] double bead_area(double width, double height);

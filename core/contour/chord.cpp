@@ -1,0 +1,42 @@
+#include "core/contour/chord.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/vec.h"
+
+namespace slipstick {
+namespace {
+
+Vec2 difference(GridPoint a, GridPoint b) {
+  return {static_cast<double>(a.x) - static_cast<double>(b.x),
+          static_cast<double>(a.y) - static_cast<double>(b.y)};
+}
+
+}  // namespace
+
+bool stabs(const LoopView& loop, Run run) {
+  const GridPoint a = loop.vertex(run.first);
+  const GridPoint b = loop.vertex(run.last);
+  for (std::size_t i = run.first + 1; i < run.last; ++i) {
+    if (!crosses(a, b, loop.stick(i))) return false;
+  }
+  return true;
+}
+
+double deviation(const LoopView& loop, Run run) {
+  const GridPoint a = loop.vertex(run.first);
+  const Vec2 edge = difference(loop.vertex(run.last), a);
+  const double square = dot(edge, edge);
+  double foot = 0;
+  double worst = 0;
+  for (std::size_t i = run.first + 1; i < run.last; ++i) {
+    const Vec2 v = difference(loop.vertex(i), a);
+    if (square > 0) foot = std::clamp(dot(v, edge) / square, foot, 1.0);
+    const Vec2 away = v - foot * edge;
+    worst = std::max(worst, dot(away, away));
+  }
+  return std::sqrt(worst);
+}
+
+}  // namespace slipstick

@@ -1,0 +1,33 @@
+#include "core/contour/outline_builder.h"
+
+#include <algorithm>
+
+namespace slipstick {
+
+void OutlineBuilder::add(const ContourSet::Loop& loop, std::span<const std::size_t> kept) {
+  // A strict stick test leaves no loop with fewer edges (ALGORITHMS B3, L4).
+  SLIPSTICK_CHECK(kept.size() >= 3);
+  const LoopView view(contours_, loop);
+  Outline::Loop result{{}, loop.depth};
+  result.points.reserve(kept.size());
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    const Run run{kept[i], i + 1 < kept.size() ? kept[i + 1] : kept[0] + loop.count};
+    SLIPSTICK_CHECK(run.first < run.last && stabs(view, run));
+    max_deviation_ = std::max(max_deviation_, deviation(view, run));
+    result.points.push_back(view.vertex(run.first));
+  }
+  loops_.push_back(std::move(result));
+}
+
+void OutlineBuilder::note_distortion(double distortion) {
+  max_distortion_ = std::max(max_distortion_, distortion);
+}
+
+Simplified OutlineBuilder::finish() {
+  Outline outline(contours_.grid());
+  outline.loops_ = std::move(loops_);
+  return {std::move(outline), contours_.sticks().size(), max_deviation_ * contours_.grid().unit(),
+          max_distortion_};
+}
+
+}  // namespace slipstick

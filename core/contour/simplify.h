@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+
+#include "core/contour/contour_set.h"
+#include "core/contour/outline.h"
+
+namespace slipstick {
+
+/// \file
+/// From placed contours to outlines with fewer edges (paper, section 5). Whatever the method, an
+/// edge only replaces a run of vertices if it crosses every stick between them, so every `Outline`
+/// separates the same samples as the image and is free of self-intersection (propositions 3 to 5).
+
+struct SimplifyOptions {
+  double tolerance =
+      0.025;       ///< mm: Fréchet distance between an edge and the run it replaces, at most.
+  int alpha = 10;  ///< The paper's clustering ratio, for `simplify_vsa`. At least 1.
+};
+
+struct Simplified {
+  Outline outline;
+  std::size_t edges_before = 0;
+  double max_deviation = 0;            ///< mm, bound of the Fréchet distance.
+  double max_regional_distortion = 0;  ///< mm³, the paper's D' (equation 5).
+};
+
+/// All vertices as they are.
+[[nodiscard]] Simplified keep_all(const ContourSet& contours);
+
+/// The paper's: variational segmentation (section 5.1), then verification and splitting (5.2).
+[[nodiscard]] Simplified simplify_vsa(const ContourSet& contours, const SimplifyOptions& options);
+
+/// Each edge as long as it may be, loop by loop from its first vertex. Quick; for offsets and
+/// infill.
+[[nodiscard]] Simplified simplify_greedy(const ContourSet& contours,
+                                         const SimplifyOptions& options);
+
+}  // namespace slipstick

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace slipstick {
+
+/// The commands that make a printer safe to leave alone: heaters and fan off, then motors. In this
+/// order, because each may be the last that gets through.
+inline constexpr std::array<std::string_view, 4> kSafeStopLines{"M104 S0", "M140 S0", "M107",
+                                                                "M84"};
+
+/// The bytes that stop any Marlin at once; the newline before ends a half-written line. Without a
+/// number, because Marlin 2 looks for a numbered M112 only when its turn comes.
+inline constexpr std::string_view kEmergencyStop = "\nM112\n";
+
+}  // namespace slipstick

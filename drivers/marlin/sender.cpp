@@ -1,0 +1,176 @@
+#include "drivers/marlin/sender.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/check.h"
+#include "drivers/marlin/patience.h"
+#include "drivers/marlin/safe_stop.h"
+
+namespace slipstick {
+namespace {
+
+/// For printers without reports of their own.
+constexpr Moment kPollInterval = std::chrono::seconds(10);
+/// Noise may eat an M112 too.
+constexpr int kEmergencyStops = 5;
+constexpr Moment kEmergencyInterval = std::chrono::milliseconds(250);
+
+}  // namespace
+
+Sender::Sender(SenderOptions options) : options_(options) {
+  SLIPSTICK_CHECK(options.report_seconds >= 1 && options.report_seconds <= 60);
+}
+
+void Sender::receive(std::string_view bytes, Moment now) {
+  if (!bytes.empty()) last_heard_ = now;
+  splitter_.feed(bytes);
+  while (const auto line = splitter_.next()) handle(parse_reply(*line), now);
+}
+
+std::string Sender::take_output(Moment now) {
+  advance(now);
+  return std::exchange(output_, {});
+}
+
+std::optional<Moment> Sender::wakeup() const {
+  if (over()) {
+    return emergency_stops_left_ > 0 ? std::optional(next_emergency_stop_) : std::nullopt;
+  }
+  if (!started_) return Moment::zero();
+  if (listening_until_) return listening_until_;
+  if (drain_) return drain_end();
+  if (outstanding_) return deadline_;
+  return reports_ ? std::nullopt : std::optional(next_poll_);
+}
+
+SenderState Sender::state() const {
+  if (over()) return *fate_;
+  if (greeting_) return SenderState::kGreeting;
+  if (done_) return SenderState::kDone;
+  if (drain_ || probes_ > 0 || cursor_ <= lines_.highest()) return SenderState::kResending;
+  if (outstanding_ && patience_ == kBlockingPatience) return SenderState::kWaiting;
+  const bool begun = counters_.lines_sent > 0 || queued_ || ended_;
+  return begun ? SenderState::kPrinting : SenderState::kReady;
+}
+
+bool Sender::wants_line() const {
+  return !over() && !queued_ && (!ended_ || done_);
+}
+
+void Sender::push(Line line) {
+  SLIPSTICK_CHECK(wants_line());
+  ended_ = done_ = false;
+  closing_.reset();
+  queued_ = std::move(line);
+}
+
+void Sender::end_of_job() {
+  if (!done_) ended_ = true;
+}
+
+void Sender::stop() {
+  if (over()) return;
+  queued_.reset();
+  stop_lines_.clear();
+  for (const std::string_view text : kSafeStopLines) stop_lines_.push_back(*Line::make(text));
+  std::ranges::reverse(stop_lines_);
+  closing_.reset();
+  ended_ = true;
+  done_ = false;
+  const bool waiting = outstanding_ && patience_ == kBlockingPatience;
+  if (waiting && has_emergency_parser_) output_ += "M108\n";
+}
+
+void Sender::emergency_stop() {
+  output_.clear();
+  emergency_stops_left_ = kEmergencyStops;
+  next_emergency_stop_ = Moment::zero();
+  give_up(SenderState::kHalted, "emergency stop; reset the printer to go on");
+}
+
+std::vector<SenderEvent> Sender::take_events() {
+  return std::exchange(events_, {});
+}
+
+void Sender::advance(Moment now) {
+  if (over()) return repeat_emergency_stop(now);
+  if (!started_) {
+    started_ = true;
+    last_heard_ = now;
+    listen(now, options_.banner_wait);
+  }
+  if (listening_until_) {
+    if (now >= *listening_until_) say_hello(now);
+    return;
+  }
+  if (drain_) {
+    if (now < drain_end()) return;
+    finish_drain(now);
+  }
+  if (over() || listening_until_) return;
+  if (!outstanding_) return send_next(now);
+  if (now >= deadline_) on_silence(now);
+}
+
+void Sender::send_next(Moment now) {
+  if (closing_ && accepted_ >= *closing_) done_ = true;
+  if (cursor_ > lines_.highest() && !bind_next(now)) return;
+  transmit(now);
+}
+
+bool Sender::bind_next(Moment now) {
+  if (greeting_ && bind_greeting(now)) return true;
+  if (greeting_) return false;
+  if (!stop_lines_.empty()) {
+    lines_.bind(stop_lines_.back().text(), LineOwner::kSender);
+    stop_lines_.pop_back();
+  } else if (!reports_ && now >= next_poll_) {
+    next_poll_ = now + kPollInterval;
+    lines_.bind("M105", LineOwner::kSender);
+  } else if (queued_) {
+    lines_.bind(queued_->text(), LineOwner::kJob);
+    queued_.reset();
+    ++counters_.lines_sent;
+  } else if (ended_ && !closing_) {
+    closing_ = lines_.bind("M105", LineOwner::kSender);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void Sender::transmit(Moment now) {
+  const std::string& text = lines_.at(cursor_).text;
+  output_ += frame(cursor_, text);
+  if (probes_ == 0) patience_ = patience_for(text);
+  outstanding_ = cursor_;
+  odd_text_ = false;
+  sent_at_ = now;
+  deadline_ = now + patience_;
+  ++cursor_;
+}
+
+void Sender::repeat_emergency_stop(Moment now) {
+  if (emergency_stops_left_ == 0 || now < next_emergency_stop_) return;
+  --emergency_stops_left_;
+  next_emergency_stop_ = now + kEmergencyInterval;
+  output_ += kEmergencyStop;
+}
+
+void Sender::tell(SenderEvent event) {
+  if (events_.size() == kMaxEvents) {
+    events_.erase(events_.begin());
+    ++counters_.events_dropped;
+  }
+  events_.push_back(std::move(event));
+}
+
+void Sender::give_up(SenderState state, std::string reason) {
+  if (over()) return;
+  fate_ = state;
+  reason_ = std::move(reason);
+  tell(SenderStopped{reason_});
+}
+
+}  // namespace slipstick

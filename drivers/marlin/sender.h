@@ -1,0 +1,190 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "drivers/clock.h"
+#include "drivers/marlin/line.h"
+#include "drivers/marlin/line_splitter.h"
+#include "drivers/marlin/reply.h"
+#include "drivers/marlin/sender_events.h"
+#include "drivers/marlin/sent_lines.h"
+
+namespace slipstick {
+
+struct SenderOptions {
+  /// How long a board that resets when its port is opened may take to say `start`.
+  Moment banner_wait = std::chrono::milliseconds(2500);
+  /// Seconds between temperature reports, 1 to 60.
+  int report_seconds = 2;
+};
+
+/// Takes the lines of a job to a Marlin: each executed exactly once, in order, over a wire that
+/// damages and loses bytes both ways.
+///
+/// A pure state machine: bytes and time go in, bytes come out; no thread, no I/O, no clock. One
+/// line is in flight at a time. `ok`s are hints and never counted: the truth is Marlin's own rule
+/// that a numbered line is executed only as the successor of the last (see SentLines), and the
+/// sender finds out where the printer stands by sending a new number and reading which one it would
+/// rather have.
+///
+/// Use: call `take_output` after every other call and whenever `wakeup` has come, and write what it
+/// gives; `push` a line while `wants_line`.
+class Sender {
+ public:
+  /// Probes after one silence; the n-th waits 2^n times as long as the first. As many fit into the
+  /// receive buffer of a board that is merely busy.
+  static constexpr int kMaxProbes = 5;
+  /// A printer that says anything within this time is not given up, whatever it owes.
+  static constexpr Moment kAliveWindow = std::chrono::seconds(60);
+  /// Requests to send again without a step forward.
+  static constexpr int kMaxRewinds = 40;
+  /// Requests for lines that cannot be meant, in a row: the number was damaged, or the board was
+  /// reset.
+  static constexpr int kMaxOddRequests = 4;
+  static constexpr int kGreetingAttempts = 10;
+  static constexpr std::size_t kMaxEvents = 256;
+
+  explicit Sender(SenderOptions options = {});
+
+  /// Bytes came from the printer.
+  void receive(std::string_view bytes, Moment now);
+
+  /// What to write now, maybe nothing. The first call begins the greeting.
+  [[nodiscard]] std::string take_output(Moment now);
+
+  /// When to call `take_output` again though nothing happened; never, if nothing.
+  [[nodiscard]] std::optional<Moment> wakeup() const;
+
+  [[nodiscard]] SenderState state() const;
+  /// Why the state is kHalted or kLost: one line for a person.
+  [[nodiscard]] const std::string& reason() const { return reason_; }
+  [[nodiscard]] const SenderCounters& counters() const { return counters_; }
+
+  /// Whether there is room for a line of the job.
+  [[nodiscard]] bool wants_line() const;
+  /// The next line of the job. \pre wants_line().
+  void push(Line line);
+  /// No more lines come. The state becomes kDone once all were surely accepted.
+  void end_of_job();
+
+  /// Gives the job up: no line that was not sent yet, then heaters, fan and motors off, then kDone.
+  /// Cuts waiting for a heater short on boards with an emergency parser.
+  void stop();
+  /// Kills the printer at once. The state becomes kHalted.
+  void emergency_stop();
+
+  /// What happened since the last call, oldest first, at most `kMaxEvents`.
+  [[nodiscard]] std::vector<SenderEvent> take_events();
+
+ private:
+  /// The time after trouble in which nothing is sent, so that all answers under way arrive.
+  struct Drain {
+    Moment began;
+    std::optional<LineNumber> requested;  ///< By a Resend.
+    std::optional<LineNumber> last_line;  ///< By an Error.
+    bool refused = false;                 ///< Any of the two came, readable or not.
+  };
+
+  // sender.cpp: time.
+  void advance(Moment now);
+  void send_next(Moment now);
+  [[nodiscard]] bool bind_next(Moment now);
+  void transmit(Moment now);
+  void repeat_emergency_stop(Moment now);
+  void tell(SenderEvent event);
+  void give_up(SenderState state, std::string reason);
+  [[nodiscard]] bool over() const { return fate_.has_value(); }
+  [[nodiscard]] bool idle() const;
+
+  // sender_greeting.cpp: from silence to the first line of a job.
+  void listen(Moment now, Moment patience);
+  void listen_to_banner(Moment now);
+  void say_hello(Moment now);
+  void greet_again(Moment now);
+  [[nodiscard]] bool bind_greeting(Moment now);
+
+  // sender_replies.cpp: what the printer says.
+  void handle(const Reply& reply, Moment now);
+  void on(const Ok& ok, Moment now);
+  void on(const Resend& resend, Moment now);
+  void on(const LineError& error, Moment now);
+  void on(const Fatal& fatal, Moment now);
+  void on(const ErrorText& error, Moment now);
+  void on(const Busy& busy, Moment now);
+  void on(const UnknownCommand& command, Moment now);
+  void on(const Echo& echo, Moment now);
+  void on(const Action& action, Moment now);
+  void on(const FirmwareName& firmware, Moment now);
+  void on(const Capability& capability, Moment now);
+  void on(const Temperatures& temperatures, Moment now);
+  void on(const Start& start, Moment now);
+  void on(const Wait& wait, Moment now);
+  void on(const Unknown& unknown, Moment now);
+  [[nodiscard]] bool answers(const Ok& ok) const;
+  void acknowledge(LineNumber number, Moment now);
+  void stay_patient(Moment now);
+
+  // sender_recovery.cpp: finding out where the printer stands.
+  void start_drain(Moment now);
+  [[nodiscard]] Moment drain_end() const;
+  void finish_drain(Moment now);
+  [[nodiscard]] bool can_be_next(std::optional<LineNumber> number) const;
+  void rewind(LineNumber number);
+  void on_odd_request(std::optional<LineNumber> number, Moment now);
+  void on_silence(Moment now);
+  void probe(Moment now);
+
+  const SenderOptions options_;
+  LineSplitter splitter_;
+  std::string output_;
+  std::vector<SenderEvent> events_;
+  SenderCounters counters_;
+  std::optional<SenderState> fate_;  ///< kHalted or kLost, for good.
+  std::string reason_;
+  int emergency_stops_left_ = 0;
+  Moment next_emergency_stop_{};
+
+  // Greeting.
+  bool greeting_ = true;
+  bool started_ = false;
+  std::optional<Moment> listening_until_;
+  Moment listening_since_{};
+  bool booting_ = false;
+  int attempts_ = 0;
+  int name_requests_ = 0;
+  std::string firmware_;
+  bool reports_ = false;  ///< The printer can report temperatures by itself…
+  bool reports_asked_ = false;
+  bool has_emergency_parser_ = false;
+  Moment next_poll_{};  ///< …otherwise it is asked, this often.
+
+  // The sequence.
+  SentLines lines_;
+  LineNumber cursor_ = 0;     ///< The number to send next.
+  LineNumber accepted_ = -1;  ///< Believed to be the last the printer took.
+  LineNumber sure_ = -1;  ///< Known to be taken; a request for it or less is nonsense or a reset.
+  LineNumber last_clean_ = -2;  ///< The last that was acknowledged with nothing odd around it.
+  std::optional<LineNumber> outstanding_;
+  bool odd_text_ = false;  ///< Something unreadable came since the outstanding line was sent.
+  Moment sent_at_{};
+  Moment deadline_{};
+  Moment patience_{};
+  Moment last_heard_{};
+  std::optional<Drain> drain_;
+  int probes_ = 0;
+  int rewinds_ = 0;
+  int odd_requests_ = 0;
+
+  // The job.
+  std::optional<Line> queued_;
+  std::vector<Line> stop_lines_;       ///< In reverse.
+  std::optional<LineNumber> closing_;  ///< The M105 whose answer proves that the job was taken.
+  bool ended_ = false;
+  bool done_ = false;
+};
+
+}  // namespace slipstick

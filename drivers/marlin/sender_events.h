@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+
+#include "drivers/marlin/framing.h"
+#include "drivers/marlin/temperatures.h"
+
+namespace slipstick {
+
+/// \file
+/// What the sender tells its owner.
+
+/// What the sender is at.
+enum class SenderState : std::uint8_t {
+  kGreeting,   ///< Finding out who is there.
+  kReady,      ///< Idle; no line of a job was given yet.
+  kPrinting,   ///< Lines flow.
+  kResending,  ///< Something went wrong; the truth is being found out and lines are sent again.
+  kWaiting,    ///< The printer is at a blocking command.
+  kDone,       ///< Every line of the job was surely accepted. Another job may follow.
+  kHalted,     ///< The printer has killed itself, or was told to. Only a reset helps.
+  kLost,  ///< The printer was reset, or does not answer, or answers nonsense. Nothing more is sent.
+};
+
+/// The printer's name, from M115.
+struct FirmwareSeen {
+  std::string name;
+  friend bool operator==(const FirmwareSeen&, const FirmwareSeen&) = default;
+};
+
+/// A temperature report.
+struct TemperaturesSeen {
+  Temperatures temperatures;
+  friend bool operator==(const TemperaturesSeen&, const TemperaturesSeen&) = default;
+};
+
+/// The printer wants `line` next, and gets it again.
+struct ResendSeen {
+  LineNumber line = 0;
+  friend bool operator==(const ResendSeen&, const ResendSeen&) = default;
+};
+
+/// The printer was silent and was asked where it is.
+struct ProbeSent {
+  LineNumber line = 0;
+  friend bool operator==(const ProbeSent&, const ProbeSent&) = default;
+};
+
+/// A text for people: `echo:` and harmless `Error:` lines.
+struct MessageSeen {
+  std::string text;
+  friend bool operator==(const MessageSeen&, const MessageSeen&) = default;
+};
+
+/// The printer asks for something: "pause", "cancel", …
+struct ActionSeen {
+  std::string text;
+  friend bool operator==(const ActionSeen&, const ActionSeen&) = default;
+};
+
+/// The state became kHalted or kLost.
+struct SenderStopped {
+  std::string reason;
+  friend bool operator==(const SenderStopped&, const SenderStopped&) = default;
+};
+
+using SenderEvent = std::variant<FirmwareSeen, TemperaturesSeen, ResendSeen, ProbeSent, MessageSeen,
+                                 ActionSeen, SenderStopped>;
+
+struct SenderCounters {
+  std::uint64_t lines_sent = 0;  ///< Lines of the job that were sent, each counted once.
+  std::uint64_t lines_acknowledged =
+      0;                             ///< Lines of the job the printer is believed to have taken.
+  std::uint64_t resends = 0;         ///< Lines sent again, of any kind.
+  std::uint64_t probes = 0;          ///< Questions after a silence.
+  std::uint64_t surplus_oks = 0;     ///< `ok`s that answered nothing.
+  std::uint64_t unreadable = 0;      ///< Replies nobody understood, most of them damaged.
+  std::uint64_t events_dropped = 0;  ///< Because nobody took them.
+};
+
+}  // namespace slipstick

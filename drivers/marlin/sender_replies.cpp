@@ -1,0 +1,121 @@
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include "drivers/marlin/sender.h"
+
+namespace slipstick {
+namespace {
+
+/// An M105 is answered at once by a printer that answers something else.
+constexpr Moment kSettle = std::chrono::seconds(1);
+
+}  // namespace
+
+void Sender::handle(const Reply& reply, Moment now) {
+  std::visit([&](const auto& said) { on(said, now); }, reply);
+  if (listening_until_ && booting_) listen_to_banner(now);
+}
+
+bool Sender::answers(const Ok& ok) const {
+  if (!outstanding_ || drain_ || over()) return false;
+  if (ok.line && *ok.line != *outstanding_) return false;
+  // The temperatures tell whose answer it is. Anything may stand behind the ok of an M105, so that
+  // damaged temperatures still count.
+  const bool query = is_command(lines_.at(*outstanding_).text, "M105");
+  return query ? !ok.bare : !ok.temperatures;
+}
+
+void Sender::on(const Ok& ok, Moment now) {
+  if (ok.temperatures) tell(TemperaturesSeen{*ok.temperatures});
+  if (answers(ok)) return acknowledge(*outstanding_, now);
+  if (over() || listening_until_) return;
+  if (!drain_) ++counters_.surplus_oks;
+  // The printer is awake: an M105 that is not answered by now was lost.
+  if (outstanding_) deadline_ = std::min(deadline_, now + kSettle);
+}
+
+void Sender::acknowledge(LineNumber number, Moment now) {
+  if (number == 0 && odd_text_) return greet_again(now);
+  accepted_ = number;
+  counters_.lines_acknowledged = lines_.at(number).job_lines;
+  outstanding_.reset();
+  if (odd_text_) {
+    // Perhaps this ok answers what noise made of the line; the next line will tell.
+    last_clean_ = -2;
+  } else {
+    if (last_clean_ == number - 1 && number - 1 > sure_) {
+      sure_ = number - 1;
+      rewinds_ = 0;
+    }
+    last_clean_ = number;
+    odd_requests_ = 0;
+  }
+  const bool late_answers_possible = probes_ > 0 || number == 0 || number == closing_;
+  probes_ = 0;
+  if (late_answers_possible) start_drain(now);
+}
+
+void Sender::on(const Resend& resend, Moment now) {
+  if (over() || listening_until_) return;
+  if (!drain_) start_drain(now);
+  drain_->refused = true;
+  if (resend.line) drain_->requested = resend.line;
+}
+
+void Sender::on(const LineError& error, Moment now) {
+  if (over() || listening_until_) return;
+  if (!drain_) start_drain(now);
+  drain_->refused = true;
+  if (error.last_line) drain_->last_line = error.last_line;
+}
+
+void Sender::on(const Fatal& fatal, Moment /*now*/) {
+  emergency_stops_left_ = 0;
+  if (over()) return tell(MessageSeen{fatal.text});
+  give_up(SenderState::kHalted, "the printer stopped itself: " + fatal.text);
+}
+
+void Sender::on(const ErrorText& error, Moment /*now*/) {
+  tell(MessageSeen{error.text});
+}
+
+void Sender::on(const Busy& /*busy*/, Moment now) {
+  stay_patient(now);
+}
+
+void Sender::on(const UnknownCommand& command, Moment /*now*/) {
+  odd_text_ = true;
+  tell(MessageSeen{command.text});
+}
+
+void Sender::on(const Echo& echo, Moment /*now*/) {
+  tell(MessageSeen{echo.text});
+}
+
+void Sender::on(const Action& action, Moment /*now*/) {
+  tell(ActionSeen{action.text});
+}
+
+void Sender::on(const Temperatures& temperatures, Moment now) {
+  // Reports come by themselves while an ok is lost; only those of a heating command prove that it
+  // runs.
+  if (temperatures.waiting) stay_patient(now);
+  tell(TemperaturesSeen{temperatures});
+}
+
+void Sender::on(const Wait& /*wait*/, Moment now) {
+  // Nothing is left in the printer, and what was sent has had time to get there.
+  if (outstanding_ && now - sent_at_ >= kSettle) deadline_ = now;
+}
+
+void Sender::on(const Unknown& /*unknown*/, Moment /*now*/) {
+  odd_text_ = true;
+  ++counters_.unreadable;
+}
+
+void Sender::stay_patient(Moment now) {
+  if (outstanding_) deadline_ = std::max(deadline_, now + patience_);
+}
+
+}  // namespace slipstick

@@ -1,0 +1,52 @@
+// `slipstick ports`: where a printer may be connected.
+#include <fmt/format.h>
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "drivers/serial_ports.h"
+#include "host/commands/command.h"
+
+namespace slipstick {
+namespace {
+
+std::string id_text(const SerialPort& port) {
+  return port.usb ? fmt::format("{:04x}:{:04x}", port.usb->vendor, port.usb->product) : "";
+}
+
+nlohmann::ordered_json as_json(const std::vector<SerialPort>& ports) {
+  auto json = nlohmann::ordered_json::array();
+  for (const SerialPort& port : ports) {
+    json.push_back({{"path", port.path},
+                    {"usb", id_text(port)},
+                    {"product", port.product},
+                    {"serial", port.serial_number}});
+  }
+  return json;
+}
+
+CommandResult run_ports(bool json) {
+  const auto ports = list_serial_ports();
+  if (!ports) return fail(ports.error());
+  if (json) {
+    std::cout << as_json(*ports).dump(2) << '\n';
+    return 0;
+  }
+  for (const SerialPort& port : *ports) {
+    fmt::print("{:<16} {:<10} {} {}\n", port.path, id_text(port), port.product, port.serial_number);
+  }
+  if (ports->empty()) fmt::print("no serial ports\n");
+  return 0;
+}
+
+}  // namespace
+
+void add_ports_command(CLI::App& app, ChosenCommand& run) {
+  const auto json = std::make_shared<bool>(false);
+  CLI::App* sub = app.add_subcommand("ports", "serial ports of this machine");
+  sub->add_flag("--json", *json, "print as JSON");
+  sub->footer("Example: slipstick ports");
+  sub->callback([json, &run] { run = [json] { return run_ports(*json); }; });
+}
+
+}  // namespace slipstick

@@ -1,0 +1,124 @@
+#include "host/layer_slicer.h"
+
+#include "core/contour/audit.h"
+#include "core/contour/place_roots.h"
+#include "core/contour/place_smooth.h"
+#include "core/contour/trace.h"
+#include "core/gcode/write.h"
+#include "core/toolpath/plan_layer.h"
+#include "host/stopwatch.h"
+
+namespace slipstick {
+namespace {
+
+std::size_t count_violations(const Outline& outline, const BitImage& image) {
+  std::vector<AuditLoop> loops;
+  for (const Outline::Loop& loop : outline.loops()) {
+    loops.push_back({{}, loop.depth});
+    for (const GridPoint p : loop.points) loops.back().points.push_back(outline.mm(p));
+  }
+  return audit_loops(loops).size() + audit_sticks(loops, image.grid().width()).size() +
+         audit_samples(loops, image).size();
+}
+
+}  // namespace
+
+LayerSlicer::LayerSlicer(const PlacedSolid& placed, const SliceGrid& grid, const LayerStack& stack,
+                         const PrintSettings& settings, SliceGoal goal)
+    : solid_(placed.solid),
+      stack_(stack),
+      settings_(settings),
+      goal_(goal),
+      images_(placed.solid, grid, stack) {}
+
+Result<SlicedLayer> LayerSlicer::slice(int layer) {
+  const auto image = images_.image(layer);
+  if (!image) return fail(image.error());
+  SlicedLayer result = contours(layer, **image);
+  if (goal_ == SliceGoal::kToolpaths) {
+    if (const auto ok = add_toolpaths(**image, result); !ok) return fail(ok.error());
+  }
+  return result;
+}
+
+void LayerSlicer::finished_below(int layer) {
+  images_.forget_below(layer - settings_.toolpath.bottom_layers);
+}
+
+SlicedLayer LayerSlicer::contours(int layer, const BitImage& image) const {
+  StepSeconds seconds;
+  Stopwatch watch;
+  ContourSet traced = trace(image, settings_.slicing.ambiguity);
+  seconds.contour = watch.lap();
+  place(traced, stack_.middle(layer));
+  seconds.place = watch.lap();
+  Simplified simplified = simplify(traced);
+  seconds.simplify = watch.lap();
+  const std::size_t violations = count_violations(simplified.outline, image);
+  seconds.verify = watch.lap();
+  return {layer,
+          stack_.middle(layer),
+          stack_.top(layer),
+          std::move(simplified),
+          violations,
+          traced.ambiguous_squares(),
+          {},
+          {},
+          seconds};
+}
+
+void LayerSlicer::place(ContourSet& contours, double z) const {
+  switch (settings_.slicing.place) {
+    case Placement::kRoots:
+      return place_roots(contours, *solid_->section(z));
+    case Placement::kSliding:
+      return place_sliding(contours);
+    case Placement::kProjection:
+      return place_projection(contours);
+    case Placement::kMidpoints:
+      return;
+  }
+}
+
+Simplified LayerSlicer::simplify(const ContourSet& contours) const {
+  const SimplifyOptions options{settings_.slicing.tolerance, settings_.slicing.alpha};
+  switch (settings_.slicing.simplify) {
+    case Simplification::kVsa:
+      return simplify_vsa(contours, options);
+    case Simplification::kGreedy:
+      return simplify_greedy(contours, options);
+    case Simplification::kNone:
+      break;
+  }
+  return keep_all(contours);
+}
+
+Result<void> LayerSlicer::add_toolpaths(const BitImage& image, SlicedLayer& layer) {
+  const auto above = common_part(layer.index + 1, layer.index + settings_.toolpath.top_layers);
+  if (!above) return fail(above.error());
+  const auto below = common_part(layer.index - settings_.toolpath.bottom_layers, layer.index - 1);
+  if (!below) return fail(below.error());
+  Stopwatch watch;
+  layer.toolpaths = plan_layer({layer.index, layer.top, stack_.thickness(layer.index), image,
+                                layer.contours.outline, *above, *below},
+                               settings_);
+  layer.seconds.toolpath = watch.lap();
+  layer.program = write_layer(*layer.toolpaths, settings_);
+  layer.seconds.gcode = watch.lap();
+  return {};
+}
+
+// What the images of layers `from` to `to` have in common.
+Result<BitImage> LayerSlicer::common_part(int from, int to) {
+  auto first = images_.image(from);
+  if (!first) return fail(first.error());
+  BitImage common = **first;
+  for (int layer = from + 1; layer <= to && common.any(); ++layer) {
+    const auto image = images_.image(layer);
+    if (!image) return fail(image.error());
+    common &= **image;
+  }
+  return common;
+}
+
+}  // namespace slipstick

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <memory>
+
+#include "core/job/layers.h"
+#include "core/job/placement.h"
+#include "core/job/settings.h"
+#include "host/image_window.h"
+#include "host/sliced_layer.h"
+
+namespace slipstick {
+
+/// What is wanted of each layer.
+enum class SliceGoal { kContours, kToolpaths };
+
+/// One layer, from the solid to G-code: the straight line of ARCHITECTURE.md.
+///
+/// Threads: `slice` is called by several workers at once.
+class LayerSlicer {
+ public:
+  LayerSlicer(const PlacedSolid& placed, const SliceGrid& grid, const LayerStack& stack,
+              const PrintSettings& settings, SliceGoal goal);
+
+  /// \return kInput if the solid is undefined somewhere in a plane that the layer needs.
+  [[nodiscard]] Result<SlicedLayer> slice(int layer);
+
+  /// Frees what only layers below `layer` need.
+  void finished_below(int layer);
+
+  /// Seconds spent sampling so far.
+  [[nodiscard]] double sampling_seconds() const { return images_.sampling_seconds(); }
+
+  [[nodiscard]] const LayerStack& stack() const { return stack_; }
+
+ private:
+  [[nodiscard]] SlicedLayer contours(int layer, const BitImage& image) const;
+  void place(ContourSet& contours, double z) const;
+  [[nodiscard]] Simplified simplify(const ContourSet& contours) const;
+  [[nodiscard]] Result<void> add_toolpaths(const BitImage& image, SlicedLayer& layer);
+  [[nodiscard]] Result<BitImage> common_part(int from, int to);
+
+  const std::shared_ptr<const Solid> solid_;
+  const LayerStack stack_;
+  const PrintSettings settings_;
+  const SliceGoal goal_;
+  ImageWindow images_;
+};
+
+}  // namespace slipstick

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/job/placement.h"
+#include "host/load_model.h"
+#include "host/slicing_job.h"
+
+namespace slipstick {
+
+/// \file
+/// Command-line options that several commands share, and what they come to.
+
+/// A solid on the bed, from the options of `slice`, `print`, `info` and `verify`.
+struct ModelOptions {
+  std::string path;
+  std::vector<double> bounds;  ///< Six numbers, or none.
+  std::string units = "mm";
+  double scale = 1;
+  std::vector<double> fit;
+  std::vector<double> rotate;
+  std::vector<double> direction;
+
+  /// Everything but the path, which each command names for itself.
+  void add_to(CLI::App& app);
+
+  [[nodiscard]] Result<LoadedModel> load() const;
+  [[nodiscard]] PlacementRequest placement() const;
+};
+
+/// Settings, threads and layers, from the options of `slice` and `print`.
+struct SlicingOptions {
+  std::string printer;
+  std::string material;
+  std::string profile;
+  std::vector<std::string> set;
+  std::string layers;
+  int threads = 0;
+  std::string report;
+
+  void add_to(CLI::App& app);
+
+  /// Also applies the options that stand for a setting (`--layer-height` for `layer_height`, …).
+  [[nodiscard]] Result<SlicingRequest> request(SliceGoal goal) const;
+
+ private:
+  std::vector<std::string> shorthands_;  // key=value
+};
+
+}  // namespace slipstick

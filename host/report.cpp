@@ -1,0 +1,40 @@
+#include "host/report.h"
+
+#include <sys/resource.h>
+
+namespace slipstick {
+
+long peak_rss_bytes() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss * 1024;  // Linux counts in KiB
+}
+
+nlohmann::ordered_json slicing_report(const SlicingJob& job, const PrintSettings& settings,
+                                      const ReportContext& context) {
+  const SlicingTotals& t = job.totals();
+  nlohmann::ordered_json json;
+  json["model"] = context.model;
+  json["representation"] = context.representation;
+  json["layers"] = t.layers;
+  json["sampling"] = settings.slicing.sampling;
+  json["grid"] = {job.grid().columns(), job.grid().rows()};
+  json["threads"] = job.threads();
+  json["seconds"] = {
+      {"load", context.load_seconds},   {"sample", t.seconds.sample},
+      {"contour", t.seconds.contour},   {"place", t.seconds.place},
+      {"simplify", t.seconds.simplify}, {"verify", t.seconds.verify},
+      {"toolpath", t.seconds.toolpath}, {"gcode", t.seconds.gcode},
+      {"total", context.total_seconds}, {"first_extrusion", context.first_extrusion_seconds}};
+  json["edges"] = {{"before", t.edges_before}, {"after", t.edges_after}};
+  json["max_deviation"] = t.max_deviation;
+  json["max_regional_distortion"] = t.max_regional_distortion;
+  json["ambiguous_squares"] = t.ambiguous_squares;
+  json["verified"] = {{"layers", t.layers}, {"violations", t.violations}};
+  json["filament_mm"] = t.filament_mm;
+  json["estimated_print_seconds"] = t.print_seconds;
+  json["peak_rss_bytes"] = peak_rss_bytes();
+  return json;
+}
+
+}  // namespace slipstick

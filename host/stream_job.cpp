@@ -1,0 +1,132 @@
+#include "host/stream_job.h"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "host/interrupt.h"
+
+namespace slipstick {
+namespace {
+
+using std::chrono::microseconds;
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+constexpr milliseconds kWaitMax{250};   // how late an interrupt may be noticed
+constexpr milliseconds kHungryWait{5};  // how often to look for a line that is being made
+constexpr seconds kWritePatience{10};
+constexpr seconds kStopPatience{30};  // for the safe end after a failure
+
+class Stream {
+ public:
+  Stream(Transport& transport, const Clock& clock, LineSource& source, Pace pace)
+      : transport_(transport), clock_(clock), source_(source), pace_(pace), began_(clock.now()) {}
+
+  Result<StreamOutcome> run() {
+    while (true) {
+      if (Interrupt::requested()) give_up({ErrorCode::kCancelled, "interrupted; heaters are off"});
+      feed();
+      if (const auto ok = write(); !ok) return fail(failure_.value_or(ok.error()));
+      take_events();
+      const SenderState state = sender_.state();
+      if (state == SenderState::kDone) break;
+      if (state == SenderState::kHalted || state == SenderState::kLost) {
+        return fail(failure_.value_or(Error{ErrorCode::kPrinter, sender_.reason()}));
+      }
+      if (stop_deadline_ && clock_.now() > *stop_deadline_) break;
+      if (const auto ok = read(); !ok) return fail(failure_.value_or(ok.error()));
+    }
+    if (failure_) return fail(*failure_);
+    outcome_.counters = sender_.counters();
+    outcome_.seconds = std::chrono::duration<double>(clock_.now() - began_).count();
+    return outcome_;
+  }
+
+ private:
+  void feed() {
+    hungry_ = false;
+    while (!ended_ && sender_.wants_line()) {
+      if (pace_ == Pace::kRealTime && !source_.ready()) {
+        hungry_ = true;
+        return;
+      }
+      auto line = source_.next();
+      if (!line) return give_up(line.error());
+      if (*line) {
+        sender_.push(**line);
+      } else {
+        ended_ = true;
+        sender_.end_of_job();
+      }
+    }
+  }
+
+  void give_up(const Error& error) {
+    if (failure_) return;
+    failure_ = error;
+    ended_ = true;
+    stop_deadline_ = clock_.now() + kStopPatience;
+    sender_.stop();
+  }
+
+  Result<void> write() {
+    const std::string bytes = sender_.take_output(clock_.now());
+    return bytes.empty() ? Result<void>() : transport_.write_all(bytes, kWritePatience);
+  }
+
+  Result<void> read() {
+    const Moment before = clock_.now();
+    const auto got = transport_.read_some(buffer_, patience(before));
+    const Moment after = clock_.now();
+    if (hungry_) outcome_.starved_seconds += std::chrono::duration<double>(after - before).count();
+    if (got) {
+      sender_.receive({buffer_.data(), *got}, after);
+    } else if (got.error().code != ErrorCode::kTimedOut) {
+      return fail(got.error());
+    }
+    return {};
+  }
+
+  microseconds patience(Moment now) const {
+    microseconds wait = hungry_ ? kHungryWait : kWaitMax;
+    if (const auto wakeup = sender_.wakeup()) wait = std::min(wait, *wakeup - now);
+    return std::max(wait, microseconds(1));
+  }
+
+  void take_events() {
+    for (const SenderEvent& event : sender_.take_events()) {
+      if (const auto* firmware = std::get_if<FirmwareSeen>(&event)) {
+        outcome_.firmware = firmware->name;
+      } else if (const auto* message = std::get_if<MessageSeen>(&event)) {
+        spdlog::info("printer: {}", message->text);
+      } else if (const auto* resend = std::get_if<ResendSeen>(&event)) {
+        spdlog::debug("printer asks for line {} again", resend->line);
+      }
+    }
+  }
+
+  Transport& transport_;
+  const Clock& clock_;
+  LineSource& source_;
+  const Pace pace_;
+  const Moment began_;
+  Sender sender_;
+  StreamOutcome outcome_;
+  std::optional<Error> failure_;
+  std::optional<Moment> stop_deadline_;
+  bool ended_ = false;
+  bool hungry_ = false;
+  std::array<char, 4096> buffer_;
+};
+
+}  // namespace
+
+Result<StreamOutcome> stream_job(Transport& transport, const Clock& clock, LineSource& source,
+                                 Pace pace) {
+  return Stream(transport, clock, source, pace).run();
+}
+
+}  // namespace slipstick

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+
+#include "drivers/clock.h"
+#include "drivers/marlin/sender.h"
+#include "drivers/transport.h"
+#include "host/line_source.h"
+
+namespace slipstick {
+
+/// What to do while the next line is still being made.
+enum class Pace {
+  kRealTime,  ///< Keep serving the printer; the time counts as starved.
+  kVirtual,   ///< Let time stand still: nothing happens while the host thinks.
+};
+
+struct StreamOutcome {
+  SenderCounters counters;
+  std::string firmware;
+  double starved_seconds = 0;  ///< The printer wanted a line and there was none.
+  double seconds = 0;          ///< By the link's clock.
+};
+
+/// Sends all lines of `source` to the printer behind `transport` and waits until they were
+/// accepted. One thread, one loop: bytes and time into the sender, bytes out.
+///
+/// Whatever ends it early, the heaters are turned off if the printer can still hear it.
+/// \return kCancelled if interrupted, kPrinter if the printer halted or was lost, or what `source`
+/// or
+///   `transport` failed with.
+[[nodiscard]] Result<StreamOutcome> stream_job(Transport& transport, const Clock& clock,
+                                               LineSource& source, Pace pace);
+
+}  // namespace slipstick

@@ -1,0 +1,122 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "core/contour/place_roots.h"
+#include "core/contour/place_smooth.h"
+#include "core/contour/simplify.h"
+#include "core/contour/trace.h"
+#include "core/image/sample.h"
+
+using namespace slipstick;
+
+namespace {
+
+// A disc of radius `radius` about the origin.
+class Disc final : public Section {
+ public:
+  explicit Disc(double radius) : radius_(radius) {}
+  void classify(std::span<const double> xs, std::span<const double> ys,
+                std::span<std::uint8_t> inside) override {
+    for (std::size_t i = 0; i < xs.size(); ++i) {
+      inside[i] = std::hypot(xs[i], ys[i]) <= radius_ ? 1 : 0;
+    }
+  }
+  Narrowed narrowed(const Box2&) override { return {}; }
+
+ private:
+  double radius_;
+};
+
+constexpr double kRadius = 3;
+constexpr double kWidth = 0.125;
+
+ContourSet disc_contours() {
+  Disc disc(kRadius);
+  const auto grid = SliceGrid::over({{-kRadius, -kRadius}, {kRadius, kRadius}}, kWidth);
+  return trace(*sample(disc, *grid), Ambiguity::kSolid);
+}
+
+double worst_error(const Outline& outline) {
+  double worst = 0;
+  for (const GridPoint p : outline.loops()[0].points) {
+    worst = std::max(worst, std::abs(length(outline.mm(p)) - kRadius));
+  }
+  return worst;
+}
+
+}  // namespace
+
+TEST_CASE("Roots lie on the boundary to a part in 65536 of a cell") {
+  Disc disc(kRadius);
+  ContourSet contours = disc_contours();
+
+  place_roots(contours, disc);
+
+  // One unit along the stick moves a vertex by no more than one unit towards the boundary.
+  CHECK(worst_error(keep_all(contours).outline) <= 2 * kWidth / 65536);
+}
+
+TEST_CASE("The boundary lies within one unit of a root on either side") {
+  Disc disc(kRadius);
+  ContourSet contours = disc_contours();
+
+  place_roots(contours, disc);
+
+  const SliceGrid& grid = contours.grid();
+  for (std::size_t i = 0; i < contours.sticks().size(); ++i) {
+    const auto far = [&](int k) {
+      const GridPoint p = along(contours.sticks()[i], contours.places()[i].value() + k);
+      return std::hypot(grid.x_of(p.x), grid.y_of(p.y));
+    };
+    CHECK(far(-1) <= kRadius);
+    CHECK(far(1) > kRadius);
+  }
+}
+
+TEST_CASE("Sliding brings vertices nearer to a circle than midpoints are") {
+  ContourSet contours = disc_contours();
+  const double before = worst_error(keep_all(contours).outline);
+
+  place_sliding(contours);
+
+  CHECK(worst_error(keep_all(contours).outline) < before);
+}
+
+TEST_CASE("Sliding depends on the sticks alone, not on where vertices were") {
+  ContourSet contours = disc_contours();
+  place_sliding(contours);
+  const std::vector<Place> first(contours.places().begin(), contours.places().end());
+
+  place_sliding(contours);
+
+  CHECK(std::equal(first.begin(), first.end(), contours.places().begin()));
+}
+
+TEST_CASE("Simplification stays within its tolerance and needs far fewer edges") {
+  Disc disc(kRadius);
+  ContourSet contours = disc_contours();
+  place_roots(contours, disc);
+
+  for (const auto simplify : {simplify_vsa, simplify_greedy}) {
+    const Simplified result = simplify(contours, {0.0125, 10});
+
+    CHECK(result.max_deviation <= 0.0125);
+    CHECK(result.max_deviation > 0);
+    CHECK(result.edges_before == contours.sticks().size());
+    CHECK(result.outline.edges() * 3 < result.edges_before);
+    CHECK(worst_error(result.outline) < 1e-4);
+  }
+}
+
+TEST_CASE("A larger tolerance never gives more edges on a circle") {
+  Disc disc(kRadius);
+  ContourSet contours = disc_contours();
+  place_roots(contours, disc);
+  std::size_t before = contours.sticks().size();
+  for (const double tolerance : {0.002, 0.01, 0.05}) {
+    const std::size_t edges = simplify_greedy(contours, {tolerance, 10}).outline.edges();
+
+    CHECK(edges <= before);
+    before = edges;
+  }
+}

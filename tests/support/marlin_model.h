@@ -1,0 +1,265 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/rng.h"
+#include "drivers/clock.h"
+
+namespace slipstick {
+
+/// What a model does with a damaged line that Marlin's checksum, or the lack of one, lets through.
+enum class Undetected : std::uint8_t { kRefuse, kObey };
+
+struct MarlinModelOptions {
+  /// Marlin 2.1.2 and later drop the last two numbers without a word.
+  bool swallows_duplicates = true;
+  /// 2.0.8 sends no ok behind a Resend.
+  bool ok_after_resend = true;
+  Undetected undetected = Undetected::kRefuse;
+};
+
+/// The front of Marlin's firmware as a host sees it: line check, command queue of one, replies.
+/// Written from the protocol's description and independent of our sender. Executes nothing but
+/// records everything.
+class MarlinModel {
+ public:
+  MarlinModel(MarlinModelOptions options, std::uint64_t seed) : options_(options), rng_(seed) {}
+
+  /// Tells which lines the host really sent, so that a damaged one that passes is noticed.
+  void announce(std::string_view frames) {
+    for (std::size_t at = 0; at < frames.size();) {
+      const std::size_t end = std::min(frames.find('\n', at), frames.size());
+      authentic_.emplace(frames.substr(at, end - at));
+      at = end + 1;
+    }
+  }
+
+  /// Bytes arrive at the receive buffer, which holds 127 and drops the rest.
+  void hear(std::string_view bytes, Moment now) {
+    received_ += bytes.substr(0, kReceiveBuffer - std::min(kReceiveBuffer, received_.size()));
+    run(now);
+  }
+
+  /// What it says until `now`.
+  std::string speak(Moment now) {
+    run(now);
+    std::string said;
+    while (!due_.empty() && due_.front().at <= now) {
+      said += due_.front().text;
+      due_.pop_front();
+    }
+    return said;
+  }
+
+  /// When it will say or do something by itself.
+  std::optional<Moment> next_event() const {
+    std::optional<Moment> next;
+    const auto consider = [&](Moment at) { next = next ? std::min(*next, at) : at; };
+    if (!due_.empty()) consider(due_.front().at);
+    if (received_.find('\n') != std::string::npos) consider(busy_until_);
+    if (report_interval_ > Moment::zero()) consider(next_report_);
+    return next;
+  }
+
+  /// A watchdog or a brown-out. Whether its `start` is heard is the wire's business.
+  void reset(Moment now) {
+    last_line_ = 0;
+    received_.clear();
+    report_interval_ = Moment::zero();
+    busy_until_ = now;
+    due_.clear();
+    say(now, "start\nPowerUp\nMarlin 2.1.2\n");
+  }
+
+  void halt() { halted_ = true; }
+
+  /// The texts of all numbered lines, in the order in which they were executed.
+  const std::vector<std::string>& executed() const { return executed_; }
+  /// Damaged lines that passed Marlin's checks.
+  std::uint64_t undetected() const { return undetected_; }
+
+ private:
+  struct Said {
+    Moment at;
+    std::string text;
+  };
+  static constexpr std::size_t kReceiveBuffer = 127;
+
+  void say(Moment at, std::string text) {
+    const auto later = [](Moment moment, const Said& said) { return moment < said.at; };
+    due_.insert(std::upper_bound(due_.begin(), due_.end(), at, later), {at, std::move(text)});
+  }
+
+  void run(Moment now) {
+    while (!halted_ && busy_until_ <= now) {
+      const std::size_t end = received_.find('\n');
+      if (end == std::string::npos) break;
+      const std::string line = received_.substr(0, end);
+      received_.erase(0, end + 1);
+      take_line(line, now);
+    }
+    while (report_interval_ > Moment::zero() && next_report_ <= now) {
+      say(next_report_, " T:201.50 /200.00 B:60.01 /60.00 @:64 B@:12\n");
+      next_report_ += report_interval_;
+    }
+  }
+
+  void take_line(std::string_view line, Moment now) {
+    line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+    if (line.empty()) return;
+    const bool passes = authentic_.contains(std::string(line));
+    if (line.front() != 'N') return take_unnumbered(line, now);
+    const std::size_t star = line.rfind('*');
+    const std::int64_t number = std::strtoll(std::string(line.substr(1)).c_str(), nullptr, 10);
+    const bool numbers = line.find("M110") != std::string_view::npos;
+    if (!numbers && number != last_line_ + 1) {
+      if (options_.swallows_duplicates && (number == last_line_ || number == last_line_ - 1))
+        return;
+      return refuse("Line Number is not Last Line Number+1", now);
+    }
+    if (star == std::string_view::npos) return refuse("No Checksum with line number", now);
+    if (!sum_fits(line, star)) return refuse("checksum mismatch", now);
+    if (!passes) {
+      ++undetected_;
+      if (options_.undetected == Undetected::kRefuse) return refuse("checksum mismatch", now);
+    }
+    last_line_ = number;
+    std::string_view text = line.substr(0, star);
+    text.remove_prefix(std::min(text.find_first_not_of("0123456789", 1), text.size()));
+    text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+    if (!numbers) executed_.emplace_back(text);
+    execute(text, now);
+  }
+
+  static bool sum_fits(std::string_view line, std::size_t star) {
+    int sum = 0;
+    for (const char byte : line.substr(0, star)) sum ^= static_cast<unsigned char>(byte);
+    return std::strtol(std::string(line.substr(star + 1)).c_str(), nullptr, 10) == sum;
+  }
+
+  void take_unnumbered(std::string_view line, Moment now) {
+    const bool command = line.size() > 1 && (line[0] == 'G' || line[0] == 'M' || line[0] == 'T') &&
+                         line[1] >= '0' && line[1] <= '9';
+    if (command) {
+      ++undetected_;
+      if (options_.undetected == Undetected::kObey) {
+        const std::string_view text = line.substr(0, line.find('*'));
+        executed_.emplace_back(text);
+        return execute(text, now);
+      }
+    }
+    say(now, "echo:Unknown command: \"" + std::string(line.substr(0, line.find('*'))) + "\"\nok\n");
+  }
+
+  /// Empties the receive buffer, or not quite: the rest of the bytes may still be under way.
+  void refuse(const std::string& cause, Moment now) {
+    received_.erase(0, rng_.below(2) == 0 ? received_.size() : rng_.below(received_.size() + 1));
+    const std::string last = std::to_string(last_line_);
+    const std::string next = std::to_string(last_line_ + 1);
+    say(now, "Error:" + cause + ", Last Line: " + last + "\n");
+    say(now, "Resend: " + next + "\n");
+    if (options_.ok_after_resend) say(now, "ok\n");
+  }
+
+  void execute(std::string_view text, Moment now) {
+    if (text == "M105") return say(now, "ok T:201.50 /200.00 B:60.01 /60.00 @:64 B@:12\n");
+    if (text == "M115") {
+      say(now,
+          "FIRMWARE_NAME:Marlin 2.1.2 (Nov 22 2026) SOURCE_CODE_URL:x MACHINE_TYPE:Model\n"
+          "Cap:AUTOREPORT_TEMP:1\nCap:EMERGENCY_PARSER:0\n");
+    }
+    if (text.starts_with("M155 S")) {
+      report_interval_ = std::chrono::seconds(2);
+      next_report_ = now + report_interval_;
+    }
+    if (text == "G28") return block(std::chrono::milliseconds(15'500), now);
+    if (text.starts_with("G4")) return block(std::chrono::milliseconds(3'100), now);
+    say(now, "ok\n");
+  }
+
+  void block(Moment duration, Moment now) {
+    constexpr Moment kBusyInterval = std::chrono::seconds(2);
+    busy_until_ = now + duration;
+    for (Moment at = now + kBusyInterval; at < busy_until_; at += kBusyInterval) {
+      say(at, "echo:busy: processing\n");
+    }
+    say(busy_until_, "ok\n");
+  }
+
+  MarlinModelOptions options_;
+  Rng rng_;
+  std::set<std::string> authentic_;
+  std::string received_;
+  std::deque<Said> due_;
+  std::vector<std::string> executed_;
+  std::int64_t last_line_ = 0;
+  std::uint64_t undetected_ = 0;
+  Moment busy_until_{};
+  Moment report_interval_{};
+  Moment next_report_{};
+  bool halted_ = false;
+};
+
+/// A wire that damages bytes: each, with the given probability, is changed, lost, doubled or
+/// followed by another; whole oks get lost on their own.
+class FaultyWire {
+ public:
+  FaultyWire(double damage, double lost_oks, std::uint64_t seed)
+      : damage_(damage), lost_oks_(lost_oks), rng_(seed) {}
+
+  std::string pass(std::string_view bytes) {
+    std::string passed;
+    for (const char byte : without_some_oks(bytes)) {
+      if (damage_ == 0 || rng_.unit() >= damage_) {
+        passed += byte;
+        continue;
+      }
+      ++faults_;
+      switch (rng_.below(5)) {
+        case 0:
+          passed += static_cast<char>(static_cast<unsigned char>(byte) ^ (1U << rng_.below(8)));
+          break;
+        case 1:
+          passed += static_cast<char>(rng_.below(256));
+          break;
+        case 2:
+          passed.append(2, byte);
+          break;
+        case 3:
+          passed += byte;
+          passed += static_cast<char>(rng_.below(256));
+          break;
+        default:
+          break;
+      }
+    }
+    return passed;
+  }
+
+  std::uint64_t faults() const { return faults_; }
+
+ private:
+  std::string without_some_oks(std::string_view bytes) {
+    std::string kept(bytes);
+    if (lost_oks_ > 0 && kept.ends_with("ok\n") && rng_.unit() < lost_oks_) {
+      kept.resize(kept.size() - 3);
+      ++faults_;
+    }
+    return kept;
+  }
+
+  double damage_;
+  double lost_oks_;
+  Rng rng_;
+  std::uint64_t faults_ = 0;
+};
+
+}  // namespace slipstick
