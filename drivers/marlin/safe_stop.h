@@ -10,6 +10,10 @@ namespace slipstick {
 inline constexpr std::array<std::string_view, 4> kSafeStopLines{"M104 S0", "M140 S0", "M107",
                                                                 "M84"};
 
+/// The same as bytes without numbers, for when there is no sender to number them: after it gave up,
+/// from a signal handler, from a fresh process. Marlin takes unnumbered lines at any time.
+inline constexpr std::string_view kSafeStopBytes = "\nM104 S0\nM140 S0\nM107\nM84\n";
+
 /// The bytes that stop any Marlin at once; the newline before ends a half-written line. Without a
 /// number, because Marlin 2 looks for a numbered M112 only when its turn comes.
 inline constexpr std::string_view kEmergencyStop = "\nM112\n";

@@ -38,6 +38,7 @@ void Sender::say_hello(Moment now) {
   cursor_ = 0;
   accepted_ = sure_ = -1;
   last_clean_ = -2;
+  probes_ = rewinds_ = odd_requests_ = 0;
   name_requests_ = 0;
   reports_asked_ = false;
   lines_.bind("M110 N0", LineOwner::kSender);

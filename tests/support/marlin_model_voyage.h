@@ -12,7 +12,7 @@ namespace slipstick {
 class Voyage {
  public:
   struct Options {
-    MarlinModelOptions printer;
+    MarlinModelOptions printer = {};
     double damage_down = 0;  ///< Per byte, host to printer.
     double damage_up = 0;
     double lost_oks = 0;

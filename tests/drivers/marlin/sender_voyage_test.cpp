@@ -61,9 +61,11 @@ TEST_CASE("Whatever the wire does, the printer executes the job once and in orde
     REQUIRE(exact);
   }
 
-  // Otherwise this test tests nothing.
-  CHECK(faults > 20 * kSeeds);
-  WARN(faults << " faults, " << undetected << " of them past the checksum, refused by the model");
+  // Otherwise this test tests nothing. About 1 fault in 220 passes the checksum or strips the
+  // number; the model refuses those, see the known hazard below.
+  CHECK(faults > 15 * kSeeds);
+  CHECK(undetected > 0);
+  CHECK(undetected < faults / 100);
 }
 
 TEST_CASE("One byte in a hundred damaged both ways is still a print") {
