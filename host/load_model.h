@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "core/base/result.h"
 #include "core/solid/solid.h"
 
 namespace slipstick {

@@ -98,8 +98,10 @@ PlacementRequest ModelOptions::placement() const {
 }
 
 void SlicingOptions::add_to(CLI::App& app) {
-  app.add_option("--printer", printer, "name from configs/printers, or a .toml file");
-  app.add_option("--material", material, "name from configs/materials, or a .toml file");
+  app.add_option("--printer", printer, "name from configs/printers, or a .toml file")
+      ->capture_default_str();
+  app.add_option("--material", material, "name from configs/materials, or a .toml file")
+      ->capture_default_str();
   app.add_option("--profile", profile, "name from configs/profiles, or a .toml file");
   app.add_option("--set", set, "any setting: key=value, repeatable (docs/SETTINGS.md)");
   for (const Shorthand& s : kShorthands) {
@@ -119,7 +121,7 @@ void SlicingOptions::add_to(CLI::App& app) {
 Result<SlicingRequest> SlicingOptions::request(SliceGoal goal) const {
   std::vector<std::string> overrides = shorthands_;
   overrides.insert(overrides.end(), set.begin(), set.end());
-  auto settings = load_settings({printer, material, profile, overrides});
+  auto settings = load_settings({printer, material, profile, overrides, {}});
   if (!settings) return fail(settings.error());
   SlicingRequest request{std::move(*settings), goal, threads, 0, {}};
   if (const auto ok = apply_layers(layers, request); !ok) return fail(ok.error());

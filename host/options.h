@@ -33,8 +33,8 @@ struct ModelOptions {
 
 /// Settings, threads and layers, from the options of `slice` and `print`.
 struct SlicingOptions {
-  std::string printer;
-  std::string material;
+  std::string printer = "generic_marlin";
+  std::string material = "pla";
   std::string profile;
   std::vector<std::string> set;
   std::string layers;

@@ -27,8 +27,8 @@ std::optional<double> degrees(std::string_view text) {
 }
 
 /// Reads `21.87` and, when it follows, ` /0.00`, which is taken off `rest`.
-std::optional<Heater> read_heater(std::string_view value, std::string_view& rest) {
-  Heater heater;
+std::optional<HeaterReading> read_heater(std::string_view value, std::string_view& rest) {
+  HeaterReading heater;
   const std::size_t slash = value.find('/');
   const auto celsius = degrees(value.substr(0, slash));
   if (slash != std::string_view::npos) heater.target = degrees(value.substr(slash + 1));
@@ -44,7 +44,7 @@ bool is_tool(std::string_view key) {
   return key.size() == 2 && key[0] == 'T' && key[1] >= '0' && key[1] <= '9';
 }
 
-void store(Temperatures& report, std::string_view key, const Heater& heater) {
+void store(Temperatures& report, std::string_view key, const HeaterReading& heater) {
   if (key == "T") report.hotend = heater;
   if (key == "B") report.bed = heater;
   if (key == "C") report.chamber = heater;

@@ -8,21 +8,21 @@
 namespace slipstick {
 
 /// One heater as the printer sees it, in °C. A broken sensor gives NaN or about -15.
-struct Heater {
+struct HeaterReading {
   double celsius = 0;
   std::optional<double> target;
 
-  friend bool operator==(const Heater&, const Heater&) = default;
+  friend bool operator==(const HeaterReading&, const HeaterReading&) = default;
 };
 
 /// A temperature report: `T:21.87 /0.00 B:22.10 /60.00 @:0 B@:0`.
 struct Temperatures {
   static constexpr std::size_t kMaxTools = 16;
 
-  std::optional<Heater> hotend;  ///< The one in use.
-  std::optional<Heater> bed;
-  std::optional<Heater> chamber;
-  std::vector<Heater> tools;  ///< `T0:`, `T1:`, … when the printer has several.
+  std::optional<HeaterReading> hotend;  ///< The one in use.
+  std::optional<HeaterReading> bed;
+  std::optional<HeaterReading> chamber;
+  std::vector<HeaterReading> tools;  ///< `T0:`, `T1:`, … when the printer has several.
   bool waiting = false;       ///< A blocking command is heating up: the report has a `W:`.
 
   friend bool operator==(const Temperatures&, const Temperatures&) = default;

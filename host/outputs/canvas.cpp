@@ -41,10 +41,12 @@ Canvas::Canvas(Format format, double width, double height)
 
 Result<void> Canvas::write_to(const std::filesystem::path& path) {
   cairo_.reset();
-  cairo_surface_finish(surface_.get());
-  cairo_status_t status = cairo_surface_status(surface_.get());
-  if (format_ == Format::kPng && status == CAIRO_STATUS_SUCCESS) {
+  cairo_status_t status = CAIRO_STATUS_SUCCESS;
+  if (format_ == Format::kPng) {
     status = cairo_surface_write_to_png_stream(surface_.get(), append, bytes_.get());
+  } else {
+    cairo_surface_finish(surface_.get());
+    status = cairo_surface_status(surface_.get());
   }
   if (status != CAIRO_STATUS_SUCCESS) {
     return fail(ErrorCode::kUnavailable,

@@ -27,8 +27,8 @@ TEST_CASE("ok is read with everything Marlin puts behind it") {
   CHECK(read<Ok>("ok P15 B3").line == std::nullopt);
   const Ok report = read<Ok>("ok T:21.87 /0.00 B:22.10 /60.00 @:0 B@:0");
   REQUIRE(report.temperatures);
-  CHECK(report.temperatures->hotend == Heater{21.87, 0.0});
-  CHECK(report.temperatures->bed == Heater{22.10, 60.0});
+  CHECK(report.temperatures->hotend == HeaterReading{21.87, 0.0});
+  CHECK(report.temperatures->bed == HeaterReading{22.10, 60.0});
   CHECK(report.free_commands == std::nullopt);
 }
 
@@ -67,10 +67,10 @@ TEST_CASE("Fatal texts are told from harmless ones") {
 TEST_CASE("Temperatures are read from reports, not from positions") {
   const auto report = read<Temperatures>(" T:21.95 /100.00 B:21.99 /0.00 @:0 B@:0 W:?");
   CHECK(report.waiting);
-  CHECK(report.hotend == Heater{21.95, 100.0});
+  CHECK(report.hotend == HeaterReading{21.95, 100.0});
   const auto tools = read<Temperatures>("T0:1 /2 T1:-15 /0 C:30 @0:0");
-  CHECK(tools.tools == std::vector<Heater>{{1, 2.0}, {-15, 0.0}});
-  CHECK(tools.chamber == Heater{30, std::nullopt});
+  CHECK(tools.tools == std::vector<HeaterReading>{{1, 2.0}, {-15, 0.0}});
+  CHECK(tools.chamber == HeaterReading{30, std::nullopt});
   CHECK(std::isnan(read<Temperatures>("T:nan /0").hotend->celsius));
   CHECK(read<Temperatures>("T:2\xff.1 /0 B:60.00 /60.00").hotend == std::nullopt);
   (void)read<Unknown>("Count A:0 B:0 C:0");

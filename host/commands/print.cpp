@@ -1,0 +1,183 @@
+// `slipstick print MODEL_OR_GCODE --port PORT`: slices just in time and streams.
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <filesystem>
+#include <iostream>
+
+#include "host/atomic_file.h"
+#include "host/commands/command.h"
+#include "host/file_lines.h"
+#include "host/layer_lines.h"
+#include "host/options.h"
+#include "host/print_watch.h"
+#include "host/printer_link.h"
+#include "host/progress.h"
+#include "host/report.h"
+#include "host/stopwatch.h"
+
+namespace slipstick {
+namespace {
+
+struct PrintCommand {
+  ModelOptions model;
+  SlicingOptions slicing;
+  std::string port;
+  bool json = false;
+};
+
+// How long a simulated machine may take to finish what it was sent.
+constexpr std::chrono::hours kRunDownMax{1};
+
+bool is_gcode(const std::filesystem::path& path) {
+  return path.extension() == ".gcode" || path.extension() == ".g" || path.extension() == ".gco";
+}
+
+nlohmann::ordered_json printer_report(const StreamOutcome& outcome) {
+  return {{"firmware", outcome.firmware},
+          {"lines_sent", outcome.counters.lines_sent},
+          {"lines_acknowledged", outcome.counters.lines_acknowledged},
+          {"resends", outcome.counters.resends},
+          {"reconnects", 0},
+          {"starved_seconds", outcome.starved_seconds}};
+}
+
+nlohmann::ordered_json sim_report(const SimTransport& sim, PrintWatch& watch) {
+  const PrintVerdict& verdict = watch.finish();
+  const PrinterStatistics statistics = sim.printer().statistics();
+  return {{"print_seconds", std::chrono::duration<double>(sim.clock().now()).count()},
+          {"filament_mm", watch.filament_mm()},
+          {"underruns", statistics.motion.starvations},
+          {"bytes_damaged", statistics.bytes_damaged},
+          {"deposit",
+           {{"layers", verdict.layers},
+            {"components_wrong", verdict.components_wrong},
+            {"holes_wrong", verdict.holes_wrong},
+            {"area_error", verdict.area_error_max}}}};
+}
+
+class PrintRun {
+ public:
+  explicit PrintRun(const PrintCommand& command) : command_(command) {}
+
+  CommandResult run() {
+    auto request = command_.slicing.request(SliceGoal::kToolpaths);
+    if (!request) return fail(request.error());
+    request_ = std::move(*request);
+    const std::filesystem::path path = command_.model.path;
+    watch_.emplace(request_.settings.printer.filament_diameter,
+                   request_.settings.slicing.sampling);
+    const auto done = is_gcode(path) ? print_file(path) : print_model();
+    if (!done) return fail(done.error());
+    if (const auto ok = write_report(); !ok) return fail(ok.error());
+    return exit_status();
+  }
+
+ private:
+  Result<void> print_file(const std::filesystem::path& path) {
+    auto lines = FileLines::open(path);
+    if (!lines) return fail(lines.error());
+    report_["model"] = path.filename().string();
+    return stream(**lines);
+  }
+
+  Result<void> print_model() {
+    const auto loaded = command_.model.load();
+    if (!loaded) return fail(loaded.error());
+    if (!loaded->warning.empty()) spdlog::warn("{}: {}", loaded->name, loaded->warning);
+    const PrinterSettings& printer = request_.settings.printer;
+    const auto placed = place_on_bed(*loaded->model, command_.model.placement(),
+                                     {printer.bed_size.x / 2, printer.bed_size.y / 2});
+    if (!placed) return fail(placed.error().within(loaded->name));
+    if (const auto fits = check_build_volume(placed->bounds, printer.bed_size); !fits) {
+      return fail(fits.error().within(loaded->name));
+    }
+    const double load_seconds = Stopwatch(total_).lap();
+    auto job = SlicingJob::start(*placed, request_);
+    if (!job) return fail(job.error().within(loaded->name));
+    if (const auto ok = stream_layers(**job); !ok) return ok;
+    report_ = slicing_report(**job, request_.settings,
+                             {loaded->name, std::string(loaded->model->kind()), load_seconds,
+                              Stopwatch(total_).lap(), first_extrusion_});
+    violations_ = (*job)->totals().violations;
+    return {};
+  }
+
+  Result<void> stream_layers(SlicingJob& job) {
+    Progress progress("printing", job.end_layer() - job.first_layer());
+    bool extruded = false;
+    LayerLines lines(job, request_.settings, [&](const SlicedLayer& layer) {
+      watch_->expect(layer);
+      extruded |= !layer.toolpaths->beads.empty();
+      if (extruded && first_extrusion_ == 0) first_extrusion_ = Stopwatch(total_).lap();
+      progress.show(job.totals().layers, layer.top);
+    });
+    if (const auto ok = stream(lines); !ok) return ok;
+    if (extruded) return {};
+    return fail(ErrorCode::kInput, "nothing was printed: no sample of any layer is inside");
+  }
+
+  Result<void> stream(LineSource& lines) {
+    auto link = open_printer(command_.port, request_.settings.printer.bed_size, watch_->sink());
+    if (!link) return fail(link.error());
+    const auto outcome = stream_job(*link->transport, *link->clock, lines, link->pace);
+    if (!outcome) return fail(outcome.error());
+    outcome_ = *outcome;
+    if (link->sim == nullptr) return {};
+    link->sim->run_down(kRunDownMax);
+    sim_report_ = sim_report(*link->sim, *watch_);
+    return {};
+  }
+
+  Result<void> write_report() {
+    report_["printer"] = printer_report(outcome_);
+    if (!sim_report_.is_null()) report_["sim"] = sim_report_;
+    if (command_.json) std::cout << report_.dump(2) << '\n';
+    if (!command_.json) summary();
+    if (command_.slicing.report.empty()) return {};
+    return write_file(command_.slicing.report, report_.dump(2) + "\n");
+  }
+
+  void summary() const {
+    fmt::print("printed {} lines, {} sent again\n", outcome_.counters.lines_acknowledged,
+               outcome_.counters.resends);
+    if (sim_report_.is_null()) return;
+    const PrintVerdict& v = watch_->verdict();
+    fmt::print("{} layers judged: {} wrong components, {} wrong holes; {} contour violations\n",
+               v.layers, v.components_wrong, v.holes_wrong, violations_);
+  }
+
+  // A print that came out wrong is a failed job, if it was sliced from a model.
+  int exit_status() const {
+    const PrintVerdict& v = watch_->verdict();
+    return violations_ == 0 && v.components_wrong == 0 && v.holes_wrong == 0 ? 0 : 1;
+  }
+
+  const PrintCommand& command_;
+  Stopwatch total_;
+  SlicingRequest request_;
+  std::optional<PrintWatch> watch_;
+  StreamOutcome outcome_;
+  double first_extrusion_ = 0;
+  std::size_t violations_ = 0;
+  nlohmann::ordered_json report_;
+  nlohmann::ordered_json sim_report_;
+};
+
+}  // namespace
+
+void add_print_command(CLI::App& app, ChosenCommand& run) {
+  const auto command = std::make_shared<PrintCommand>();
+  CLI::App* sub = app.add_subcommand("print", "slice a model just in time and print it");
+  sub->add_option("model", command->model.path, "a model, or a .gcode file")->required();
+  sub->add_option("--port", command->port,
+                  "/dev/ttyUSB0, usb:VID:PID[:SERIAL], pty:PATH, tcp:HOST:PORT or sim:")
+      ->required();
+  sub->add_flag("--json", command->json, "print the report on standard output");
+  command->model.add_to(*sub);
+  command->slicing.add_to(*sub);
+  sub->footer("Example: slipstick print configs/solids/gyroid_sphere.lua --port sim:");
+  sub->callback([command, &run] { run = [command] { return PrintRun(*command).run(); }; });
+}
+
+}  // namespace slipstick
