@@ -1,0 +1,135 @@
+#include "core/solid/mesh_model.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/base/check.h"
+#include "core/solid/mesh_model_intervals.h"
+#include "core/solid/mesh_model_section.h"
+
+namespace slipstick {
+namespace {
+
+class MeshSolid final : public Solid {
+ public:
+  MeshSolid(std::shared_ptr<const TriangleMesh> mesh, const Affine3& map, Closedness closedness)
+      : mesh_(std::move(mesh)), closedness_(closedness) {
+    vertices_.reserve(mesh_->vertices.size());
+    for (const Vec3 p : mesh_->vertices) {
+      vertices_.push_back(map(p));
+      bounds_ = bounds_.with(vertices_.back());
+    }
+    std::vector<Interval> heights;
+    heights.reserve(mesh_->triangles.size());
+    for (const auto& [a, b, c] : mesh_->triangles) {
+      const auto [low, high] = std::minmax({vertices_[a].z, vertices_[b].z, vertices_[c].z});
+      heights.push_back({low, high});
+    }
+    by_z_ = IntervalIndex(heights);
+  }
+
+  [[nodiscard]] Box3 bounds() const override { return bounds_; }
+
+  [[nodiscard]] std::unique_ptr<Section> section(double z) const override {
+    std::vector<OutlineSegment> segments;
+    by_z_.for_each_near(z, [&](std::uint32_t i) { add_cut(segments, mesh_->triangles[i], z); });
+    return std::make_unique<OutlineSection>(std::move(segments), closedness_);
+  }
+
+ private:
+  // A triangle with vertices on both sides of the plane has one on its own, and two cut edges
+  // there.
+  void add_cut(std::vector<OutlineSegment>& segments, const TriangleMesh::Triangle& triangle,
+               double z) const {
+    std::array<Vec3, 3> p{};
+    std::array<bool, 3> above{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      p[i] = vertices_[triangle[i]];
+      above[i] = p[i].z > z;
+    }
+    if (above[0] == above[1] && above[1] == above[2]) return;
+    const std::size_t lone = above[1] == above[2] ? 0 : above[0] == above[2] ? 1 : 2;
+    const Vec2 a = cut(p[lone], p[(lone + 1) % 3], z);
+    const Vec2 b = cut(p[lone], p[(lone + 2) % 3], z);
+    if (a.y < b.y) segments.push_back({a, b});
+    if (b.y < a.y) segments.push_back({b, a});
+  }
+
+  // Always computed upwards, so that all triangles at an edge get the very same point.
+  static Vec2 cut(Vec3 p, Vec3 q, double z) {
+    const Vec3 low = p.z < q.z ? p : q, high = p.z < q.z ? q : p;
+    const double share = (z - low.z) / (high.z - low.z);
+    return {low.x + share * (high.x - low.x), low.y + share * (high.y - low.y)};
+  }
+
+  std::shared_ptr<const TriangleMesh> mesh_;
+  Closedness closedness_;
+  std::vector<Vec3> vertices_;
+  Box3 bounds_;
+  IntervalIndex by_z_;
+};
+
+// One number for each side of each triangle, the same for the same two vertices; sorted.
+std::vector<std::uint64_t> sorted_edges(const TriangleMesh& mesh) {
+  std::vector<std::uint64_t> edges;
+  edges.reserve(3 * mesh.triangles.size());
+  for (const auto& t : mesh.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [low, high] = std::minmax({t[i], t[(i + 1) % 3]});
+      edges.push_back((std::uint64_t{low} << 32) | high);
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+}  // namespace
+
+MeshModel::MeshModel(TriangleMesh mesh)
+    : mesh_(std::make_shared<const TriangleMesh>(std::move(mesh))) {
+  for (const auto& triangle : mesh_->triangles) {
+    for (const std::uint32_t v : triangle) SLIPSTICK_CHECK(v < mesh_->vertices.size());
+  }
+  const std::vector<std::uint64_t> edges = sorted_edges(*mesh_);
+  for (auto first = edges.begin(); first != edges.end();) {
+    const auto end =
+        std::find_if(first, edges.end(), [&](std::uint64_t edge) { return edge != *first; });
+    if ((end - first) % 2 != 0) ++open_edges_;
+    if (end - first > 2) ++non_manifold_edges_;
+    first = end;
+  }
+}
+
+Box3 MeshModel::bounds_under(const Affine3& map) const {
+  Box3 box;
+  for (const Vec3 p : mesh_->vertices) box = box.with(map(p));
+  return box;
+}
+
+std::shared_ptr<const Solid> MeshModel::placed(const Affine3& map) const {
+  const Closedness closedness = open_edges_ == 0 ? Closedness::kClosed : Closedness::kOpen;
+  return std::make_shared<MeshSolid>(mesh_, map, closedness);
+}
+
+std::string MeshModel::size_text() const {
+  return fmt::format("{} triangles", mesh_->triangles.size());
+}
+
+std::string MeshModel::warning() const {
+  if (open_edges_ == 0) return {};
+  return fmt::format("not closed: {} boundary edges, parity may leak; repair the mesh",
+                     open_edges_);
+}
+
+Result<std::unique_ptr<MeshModel>> load_mesh_model(std::string_view bytes, std::string_view name) {
+  const std::size_t dot = name.rfind('.');
+  const std::string_view extension =
+      dot == std::string_view::npos ? std::string_view{} : name.substr(dot + 1);
+  auto mesh = read_mesh(bytes, extension);
+  if (!mesh) return fail(mesh.error().within(name));
+  return std::make_unique<MeshModel>(*std::move(mesh));
+}
+
+}  // namespace slipstick

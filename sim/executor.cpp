@@ -1,0 +1,332 @@
+#include "sim/executor.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/base/check.h"
+#include "sim/limit_commands.h"
+#include "sim/reports.h"
+
+namespace slipstick {
+
+namespace {
+
+Moment moment_of_seconds(double seconds) {
+  constexpr double kLongest = 24 * 3600;
+  return Moment(static_cast<Moment::rep>(std::clamp(seconds, 0.0, kLongest) * 1e6));
+}
+
+}  // namespace
+
+void Executor::begin(std::string_view line, const std::optional<GcodeCommand>& command,
+                     Moment now) {
+  SLIPSTICK_CHECK(!running());
+  wants_ok_ = true;
+  if (!command) return unknown(line);
+  if (command->letter() == 'T') {
+    if (command->code() != 0) {
+      text_ += fmt::format("echo:T{} Invalid extruder\n", command->code());
+    }
+    return;
+  }
+  if (command->letter() == 'G') {
+    if (!run_g(*command, now)) unknown(line);
+  } else if (const auto printed = run_limit_command(*command, machine_)) {
+    text_ += *printed;
+  } else if (!run_motion(*command, now) && !run_heat(*command, now) && !run_talk(*command)) {
+    unknown(line);
+  }
+}
+
+void Executor::unknown(std::string_view line) {
+  text_.append("echo:Unknown command: \"").append(bare_command(line)).append("\"\n");
+}
+
+std::string Executor::take_text() { return std::exchange(text_, {}); }
+
+bool Executor::run_g(const GcodeCommand& command, Moment now) {
+  switch (command.code()) {
+    case 0:
+    case 1:
+      move(command);
+      return true;
+    case 4:
+      dwell(command);
+      return true;
+    case 21:
+      return true;
+    case 28:
+      home(command);
+      return true;
+    case 90:
+    case 91:  // Both speak for E too, whatever M82 or M83 said before.
+      machine_.relative = machine_.relative_e = command.code() == 91;
+      return true;
+    case 92:
+      rename_position(command, now);
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool Executor::run_motion(const GcodeCommand& command, Moment now) {
+  switch (command.code()) {
+    case 17:
+      return true;
+    case 18:
+    case 84:
+    case 400:
+      become_still(Stage::kDone);
+      return true;
+    case 82:
+    case 83:
+      machine_.relative_e = command.code() == 83;
+      return true;
+    case 114:
+      text_ += position_report(machine_, now);
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool Executor::run_heat(const GcodeCommand& command, Moment now) {
+  switch (command.code()) {
+    case 104:
+      if (const auto s = command.value('S')) machine_.nozzle.set_target(*s);
+      return true;
+    case 140:
+      if (const auto s = command.value('S')) machine_.bed.set_target(*s);
+      return true;
+    case 109:
+      wait_for_heater(command, machine_.nozzle, now);
+      return true;
+    case 190:
+      wait_for_heater(command, machine_.bed, now);
+      return true;
+    case 105:
+      wants_ok_ = false;
+      if (const double tool = command.value('T').value_or(0); tool != 0) {
+        text_ += fmt::format("echo:M105 Invalid extruder {:.0f}\n", tool);
+      } else {
+        text_ += "ok" + temperature_text(machine_) + "\n";
+      }
+      return true;
+    case 106:
+      machine_.fan = static_cast<int>(std::clamp(command.value('S').value_or(255), 0.0, 255.0));
+      return true;
+    case 107:
+      machine_.fan = 0;
+      return true;
+    case 108:
+      return true;
+    case 155:
+      if (const auto s = command.value('S')) {
+        report_period_ = moment_of_seconds(std::clamp(std::floor(*s), 0.0, 60.0));
+      }
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool Executor::run_talk(const GcodeCommand& command) {
+  switch (command.code()) {
+    case 113:
+      if (const auto s = command.value('S')) {
+        busy_period_ = moment_of_seconds(std::clamp(std::floor(*s), 0.0, 60.0));
+      } else {
+        text_ += fmt::format("echo:M113 S{}\n", busy_period_ / Moment(1'000'000));
+      }
+      return true;
+    case 115:
+      text_ += capability_report();
+      return true;
+    case 117:
+      return true;
+    case 118:
+      speak(command.text());
+      return true;
+    case 119:
+      text_ += "Reporting endstop status\nx_min: open\ny_min: open\nz_min: open\n";
+      return true;
+    case 503:
+      text_ += settings_report(machine_);
+      return true;
+    default:
+      return false;
+  }
+}
+
+Axes Executor::destination(const GcodeCommand& command) const {
+  const Axes& from = machine_.position;
+  const auto coordinate = [&](char name, double was, bool relative) {
+    const double value = command.value(name).value_or(relative ? 0 : was);
+    return std::clamp(relative ? was + value : value, -kFarthest, kFarthest);
+  };
+  Axes to{coordinate('X', from.x, machine_.relative), coordinate('Y', from.y, machine_.relative),
+          coordinate('Z', from.z, machine_.relative), coordinate('E', from.e, machine_.relative_e)};
+  if (machine_.homed) {
+    const Axes& shift = machine_.shift;
+    to.x = std::clamp(to.x, -shift.x, machine_.build_volume.x - shift.x);
+    to.y = std::clamp(to.y, -shift.y, machine_.build_volume.y - shift.y);
+    to.z = std::clamp(to.z, -shift.z, machine_.build_volume.z - shift.z);
+  }
+  return to;
+}
+
+double Executor::allowed_extrusion(double e) {
+  if (e == 0) return 0;
+  if (machine_.nozzle.celsius() < machine_.extrude_celsius_min) {
+    text_ += kColdExtrusion;
+    return 0;
+  }
+  if (std::abs(e) > kExtrusionMax) {
+    text_ += kLongExtrusion;
+    return 0;
+  }
+  return e;
+}
+
+void Executor::move(const GcodeCommand& command) {
+  if (const double f = command.value('F').value_or(0); f > 0) machine_.feedrate = f / 60;
+  const Axes to = destination(command);
+  const double e = allowed_extrusion(to.e - machine_.position.e);
+  machine_.filament += e * machine_.flow_percent / 100;
+  machine_.position = to;
+  const Axes& shift = machine_.shift;
+  target_ = {to.x + shift.x, to.y + shift.y, to.z + shift.z, machine_.filament};
+  speed_ = std::max(Planner::kSlowest, machine_.feedrate * machine_.feedrate_percent / 100);
+  stage_ = Stage::kRoom;
+}
+
+void Executor::dwell(const GcodeCommand& command) {
+  wait_ = Moment(0);
+  if (const auto p = command.value('P')) wait_ = moment_of_seconds(*p / 1000);
+  if (const auto s = command.value('S')) wait_ = moment_of_seconds(*s);
+  become_still(Stage::kDwell);
+}
+
+void Executor::home(const GcodeCommand& command) {
+  const bool all = !command.has('X') && !command.has('Y') && !command.has('Z');
+  homed_to_ = machine_.planner.target();
+  homed_to_.e = machine_.filament;
+  if (all || command.has('X')) homed_to_.x = 0;
+  if (all || command.has('Y')) homed_to_.y = 0;
+  if (all || command.has('Z')) homed_to_.z = 0;
+  wait_ = kHomingTime;
+  become_still(Stage::kHome);
+}
+
+void Executor::finish_homing(Moment now) {
+  machine_.planner.set_position(homed_to_);
+  machine_.position = {homed_to_.x, homed_to_.y, homed_to_.z, machine_.position.e};
+  machine_.shift = {};
+  machine_.homed = true;
+  text_ += position_report(machine_, now);
+}
+
+void Executor::rename_position(const GcodeCommand& command, Moment now) {
+  const Axes was = machine_.position;
+  Axes& p = machine_.position;
+  const auto named = [&](char name, double old) {
+    return std::clamp(command.value(name).value_or(old), -kFarthest, kFarthest);
+  };
+  p = {named('X', was.x), named('Y', was.y), named('Z', was.z), named('E', was.e)};
+  machine_.shift = machine_.shift + (was - p);
+  text_ += position_report(machine_, now);
+}
+
+void Executor::wait_for_heater(const GcodeCommand& command, Heater& heater, Moment now) {
+  const auto heat = command.value('S');
+  const auto both_ways = command.value('R');
+  if (!heat && !both_ways) return;
+  heater.set_target(heat ? *heat : *both_ways);
+  if (heat && heater.celsius() >= heater.target()) return;
+  heater_ = &heater;
+  residency_ = {};
+  heat_cancelled_ = false;
+  until_ = polled_at_ = now;
+  stage_ = Stage::kHeat;
+}
+
+void Executor::speak(std::string_view words) {
+  bool echo = false;
+  bool action = false;
+  while (words.size() >= 2 && (words[0] == 'E' || words[0] == 'A' || words[0] == 'P') &&
+         words[1] >= '0' && words[1] <= '9') {
+    echo = echo || (words[0] == 'E' && words[1] == '1');
+    action = action || (words[0] == 'A' && words[1] == '1');
+    words.remove_prefix(2);
+    words.remove_prefix(std::min(words.find_first_not_of(' '), words.size()));
+  }
+  if (echo) text_ += "echo:";
+  if (action) text_ += "//";
+  text_.append(words).append("\r\n");
+}
+
+void Executor::become_still(Stage next) {
+  after_still_ = next;
+  stage_ = Stage::kStill;
+}
+
+void Executor::stop_waiting() { heat_cancelled_ = stage_ == Stage::kHeat; }
+
+bool Executor::proceed_still(Moment now) {
+  if (!machine_.planner.idle()) return false;
+  stage_ = after_still_;
+  until_ = now + wait_;
+  if (stage_ == Stage::kDone) machine_.planner.rest();
+  return stage_ == Stage::kDone;
+}
+
+bool Executor::proceed_heat(Moment now) {
+  if (heat_cancelled_) return true;
+  polled_at_ = now;
+  if (now >= until_) {
+    const auto left = residency_.seconds_left(now);
+    text_ += temperature_text(machine_) + (left ? fmt::format(" W:{}\n", *left) : " W:?\n");
+    until_ += kReportPeriod;
+  }
+  residency_.see(heater_->celsius(), heater_->target(), now);
+  return residency_.settled(now);
+}
+
+bool Executor::proceed(Moment now) {
+  if (stage_ == Stage::kRoom) {
+    if (machine_.planner.full()) return false;
+    machine_.planner.add(target_, speed_, machine_.limits, now);
+    stage_ = Stage::kDone;
+    return true;
+  }
+  if (stage_ == Stage::kStill && (proceed_still(now) || stage_ == Stage::kStill)) {
+    return stage_ == Stage::kDone;
+  }
+  if (stage_ == Stage::kHeat && !proceed_heat(now)) return false;
+  if ((stage_ == Stage::kDwell || stage_ == Stage::kHome) && now < until_) return false;
+  if (stage_ == Stage::kHome) finish_homing(now);
+  machine_.planner.rest();
+  stage_ = Stage::kDone;
+  return true;
+}
+
+std::optional<Moment> Executor::wakes_at() const {
+  switch (stage_) {
+    case Stage::kDwell:
+    case Stage::kHome:
+      return until_;
+    case Stage::kHeat:
+      return std::min(until_, polled_at_ + kHeatPoll);
+    case Stage::kDone:
+    case Stage::kRoom:
+    case Stage::kStill:
+      return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+}  // namespace slipstick

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/gcode/parse.h"
+#include "sim/machine.h"
+
+namespace slipstick {
+
+/// Commands -> machine. One command runs at a time; most end at once, some wait for the planner, the
+/// clock or a heater, as their handlers in Marlin do.
+///
+/// M110 and M112 belong to the firmware (firmware.h), which owns line numbers and life.
+class Executor {
+ public:
+  static constexpr Moment kHomingTime{15'400'000};  ///< Seen with Marlin 2.1.2 on its simulated board.
+  static constexpr Moment kReportPeriod{1'000'000};  ///< Of temperatures during M109 and M190.
+  static constexpr Moment kHeatPoll{100'000};
+  static constexpr double kExtrusionMax = 200;       ///< mm of filament in one move.
+  static constexpr double kFarthest = 1e6;           ///< mm: no coordinate is beyond, homed or not.
+
+  explicit Executor(Machine& machine) : machine_(machine) {}
+
+  /// Starts `command`, which `line` was parsed to. \pre Not running.
+  void begin(std::string_view line, const std::optional<GcodeCommand>& command, Moment now);
+
+  /// Goes on with the command. \pre Running. \return Whether it has returned.
+  [[nodiscard]] bool proceed(Moment now);
+
+  [[nodiscard]] bool running() const { return stage_ != Stage::kDone; }
+  /// When `proceed` should be called next if the planner does nothing before; nothing if only the planner
+  /// counts. \pre Running.
+  [[nodiscard]] std::optional<Moment> wakes_at() const;
+
+  /// Ends a wait for a heater: M108.
+  void stop_waiting();
+
+  /// Whether the command that just returned gets the usual "ok" (M105 brings its own).
+  [[nodiscard]] bool wants_ok() const { return wants_ok_; }
+  /// What was printed since the last call.
+  [[nodiscard]] std::string take_text();
+
+  /// Seconds between reports that M155 asked for; 0 is none.
+  [[nodiscard]] Moment report_period() const { return report_period_; }
+  /// Seconds between "busy" lines (M113); 0 is none.
+  [[nodiscard]] Moment busy_period() const { return busy_period_; }
+
+ private:
+  enum class Stage : std::uint8_t { kDone, kRoom, kStill, kDwell, kHome, kHeat };
+
+  // Each says whether the command was one of its own.
+  bool run_g(const GcodeCommand& command, Moment now);
+  bool run_motion(const GcodeCommand& command, Moment now);
+  bool run_heat(const GcodeCommand& command, Moment now);
+  bool run_talk(const GcodeCommand& command);
+  void unknown(std::string_view line);
+
+  void move(const GcodeCommand& command);
+  void dwell(const GcodeCommand& command);
+  void home(const GcodeCommand& command);
+  void finish_homing(Moment now);
+  void rename_position(const GcodeCommand& command, Moment now);
+  void wait_for_heater(const GcodeCommand& command, Heater& heater, Moment now);
+  void speak(std::string_view words);
+  /// Waits until all moves are made, then goes on to `next`.
+  void become_still(Stage next);
+
+  /// Where `command` goes, in its own coordinates, within the soft endstops.
+  [[nodiscard]] Axes destination(const GcodeCommand& command) const;
+  /// `e` mm of filament, or 0 and a complaint where that is not allowed.
+  [[nodiscard]] double allowed_extrusion(double e);
+  [[nodiscard]] bool proceed_still(Moment now);
+  [[nodiscard]] bool proceed_heat(Moment now);
+
+  Machine& machine_;
+  Stage stage_ = Stage::kDone;
+  std::string text_;
+  bool wants_ok_ = true;
+
+  Axes target_;                 ///< Of the move that waits for room.
+  double speed_ = 0;
+
+  Stage after_still_ = Stage::kDone;
+  Moment wait_{0};              ///< How long to dwell once still.
+  Moment until_{0};             ///< Of dwelling and homing; next report of heating.
+  Moment polled_at_{0};
+  Heater* heater_ = nullptr;
+  Residency residency_;
+  bool heat_cancelled_ = false;
+  Axes homed_to_;               ///< Where homing will have brought the machine.
+
+  Moment report_period_{0};
+  Moment busy_period_{2'000'000};
+};
+
+}  // namespace slipstick

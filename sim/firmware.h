@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+
+#include "sim/executor.h"
+#include "sim/line_gate.h"
+#include "sim/line_reader.h"
+#include "sim/machine.h"
+#include "sim/rx_ring.h"
+
+namespace slipstick {
+
+/// Marlin 2.1.2's main loop: receive buffer, line check, command queue, ok, resend, busy, reports.
+///
+/// It runs in steps, each of which does what Marlin does between two prints: because printing blocks the
+/// processor (no transmit buffer), the caller lets the text of one step go out over the wire before the
+/// next one.
+class Firmware {
+ public:
+  static constexpr std::size_t kQueueMax = 4;          ///< BUFSIZE, the running command included.
+  static constexpr Moment kBootTime{70'000};           ///< From power on to "start".
+
+  /// Switched on at `power_on`.
+  Firmware(Machine& machine, Moment power_on);
+
+  [[nodiscard]] RxRing& ring() { return ring_; }
+
+  /// Does the next thing there is to do at `now`. \return Whether there was one.
+  bool step(Moment now);
+
+  /// What the last steps printed.
+  [[nodiscard]] std::string take_text();
+
+  /// When there may be something to do even if no byte comes and no move ends.
+  [[nodiscard]] std::optional<Moment> wakes_at(Moment now) const;
+
+  /// Whether received bytes would be read now.
+  [[nodiscard]] bool reads() const {
+    return booted_ && !machine_.halted && queue_.size() < kQueueMax;
+  }
+
+  /// Numbered and unnumbered lines that entered the queue; Resend requests sent.
+  [[nodiscard]] std::int64_t lines_accepted() const { return lines_accepted_; }
+  [[nodiscard]] std::int64_t resends_requested() const { return resends_requested_; }
+
+ private:
+  bool boot(Moment now);
+  bool read_lines();
+  void receive(std::string_view line);
+  void reject(Verdict verdict);
+  void request_resend();
+  /// What Marlin obeys when it reads it, not when its turn comes: M108 and M112 at the start of a line.
+  void obey_early(std::string_view line);
+  bool report(Moment now);
+  bool stay_busy(Moment now);
+  bool run_command(Moment now);
+  [[nodiscard]] bool has_work() const;
+  void begin_command(Moment now);
+  void kill();
+
+  Machine& machine_;
+  Executor executor_;
+  RxRing ring_;
+  LineReader reader_;
+  LineGate gate_;
+  std::deque<std::string> queue_;  ///< Its front is the command that runs or runs next.
+  std::string text_;
+  Moment boot_at_;
+  bool booted_ = false;
+  bool ok_due_ = false;            ///< Whether the running command ends with "ok".
+  bool resending_ = false;         ///< The Error line is out, the flush and the Resend are due.
+  Moment busy_at_{0};              ///< When to say "busy", while a command runs.
+  Moment report_at_{0};            ///< Next automatic report.
+  Moment report_period_{0};        ///< As it was when `report_at_` was set.
+  std::int64_t lines_accepted_ = 0;
+  std::int64_t resends_requested_ = 0;
+};
+
+}  // namespace slipstick

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "core/base/vec.h"
+#include "sim/heater.h"
+#include "sim/planner.h"
+
+namespace slipstick {
+
+/// Everything of the printer that commands change, and how it stands when it is switched on.
+struct Machine {
+  Machine(const Vec3& volume, const Planner::Sink& sink)
+      : build_volume(volume), planner(sink), move_sink(sink) {}
+
+  Vec3 build_volume;  ///< Soft endstops are 0 and these.
+  MotionLimits limits;
+  Planner planner;
+  Planner::Sink move_sink;
+  Heater nozzle{nozzle_options()};
+  Heater bed{bed_options()};
+  int fan = 0;                  ///< 0 to 255.
+
+  Axes position;                ///< Where the last command said to go, in its own coordinates.
+  Axes shift;                   ///< What G92 made of them: X, Y, Z of the machine less those of commands.
+  double filament = 0;          ///< E of the machine: all that was to be pushed, mm.
+  double feedrate = 25;         ///< mm/s; Marlin starts with F1500.
+  double feedrate_percent = 100;
+  double flow_percent = 100;
+  bool relative = false;        ///< G91
+  bool relative_e = false;      ///< M83
+  bool homed = false;           ///< Soft endstops act from then on.
+  double extrude_celsius_min = 170;
+  bool halted = false;          ///< After kill(): only a reset helps.
+
+  void advance(Moment now) {
+    if (halted) return;
+    planner.advance(now);
+    nozzle.advance(now);
+    bed.advance(now);
+  }
+
+  /// kill(): power off, silence.
+  void halt() {
+    nozzle.shut_off();
+    bed.shut_off();
+    fan = 0;
+    halted = true;
+  }
+
+  /// The reset button: all as at power on but the heat that is there.
+  void reset() {
+    const Heater was_nozzle = nozzle;
+    const Heater was_bed = bed;
+    *this = Machine(build_volume, move_sink);
+    nozzle = was_nozzle;
+    bed = was_bed;
+    nozzle.shut_off();
+    bed.shut_off();
+  }
+};
+
+}  // namespace slipstick

@@ -1,0 +1,158 @@
+#include "sim/pixel_image.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include "core/base/check.h"
+
+namespace slipstick {
+
+namespace {
+
+constexpr int kWordBits = 64;
+
+int clamped_ceil(double value, int high) {
+  return static_cast<int>(std::ceil(std::clamp(value, 0.0, static_cast<double>(high))));
+}
+
+/// A closed interval that begins empty.
+struct Interval {
+  double low = 1;
+  double high = 0;
+
+  [[nodiscard]] bool empty() const { return low > high; }
+  void unite(double a, double b) {
+    const bool was_empty = empty();
+    low = was_empty ? a : std::min(low, a);
+    high = was_empty ? b : std::max(high, b);
+  }
+  /// Keeps x with |slope·x + offset| <= bound.
+  void keep(double slope, double offset, double bound) {
+    if (slope == 0) {
+      if (std::abs(offset) > bound) *this = {};
+      return;
+    }
+    const double a = (-bound - offset) / slope;
+    const double b = (bound - offset) / slope;
+    low = std::max(low, std::min(a, b));
+    high = std::min(high, std::max(a, b));
+  }
+};
+
+/// The part of the line at height `y` that is within `radius` of the segment. The capsule is convex, so
+/// that its two discs and the band between them make one interval.
+Interval capsule_at(double y, Vec2 a, Vec2 b, double radius) {
+  Interval part;
+  for (const Vec2 centre : {a, b}) {
+    const double h2 = radius * radius - (y - centre.y) * (y - centre.y);
+    if (h2 >= 0) part.unite(centre.x - std::sqrt(h2), centre.x + std::sqrt(h2));
+  }
+  const Vec2 d = b - a;
+  const double d2 = dot(d, d);
+  if (d2 <= 0) return part;
+  Interval band{std::min(a.x, b.x) - radius, std::max(a.x, b.x) + radius};
+  const Vec2 middle = 0.5 * (a + b);
+  const double dy = y - middle.y;
+  band.keep(d.x, d.y * dy - d.x * middle.x, d2 / 2);                        // Between the ends,
+  band.keep(-d.y, d.x * dy + d.y * middle.x, radius * std::sqrt(d2));  // and no farther to the side.
+  if (!band.empty()) part.unite(band.low, band.high);
+  return part;
+}
+
+}  // namespace
+
+PixelFrame PixelFrame::over(const Box2& area, double size) {
+  SLIPSTICK_CHECK(size > 0);
+  if (area.empty()) return {{}, size, 1, 1};
+  constexpr double kMost = 1 << 15;
+  PixelFrame frame;
+  frame.size = size;
+  frame.low = {area.low.x - size, area.low.y - size};
+  frame.columns = static_cast<int>(std::min(kMost, std::ceil((area.high.x - area.low.x) / size) + 2));
+  frame.rows = static_cast<int>(std::min(kMost, std::ceil((area.high.y - area.low.y) / size) + 2));
+  return frame;
+}
+
+int PixelFrame::column_from(double x) const {
+  return clamped_ceil((x - low.x) / size - 0.5, columns);
+}
+
+int PixelFrame::row_from(double y) const { return clamped_ceil((y - low.y) / size - 0.5, rows); }
+
+PixelImage::PixelImage(const PixelFrame& frame)
+    : frame_(frame),
+      words_per_row_(static_cast<std::size_t>((frame.columns + kWordBits - 1) / kWordBits)),
+      words_(words_per_row_ * static_cast<std::size_t>(frame.rows)) {}
+
+std::int64_t PixelImage::count() const {
+  std::int64_t n = 0;
+  for (const std::uint64_t word : words_) n += std::popcount(word);
+  return n;
+}
+
+template <typename Apply>
+void PixelImage::for_words(int row, int begin, int end, Apply apply) {
+  if (begin >= end) return;
+  std::uint64_t* words = words_.data() + static_cast<std::size_t>(row) * words_per_row_;
+  const int first = begin / kWordBits;
+  const int last = (end - 1) / kWordBits;
+  for (int w = first; w <= last; ++w) {
+    std::uint64_t mask = ~std::uint64_t{0};
+    if (w == first) mask &= ~std::uint64_t{0} << (begin % kWordBits);
+    if (w == last) mask &= ~std::uint64_t{0} >> (kWordBits - 1 - (end - 1) % kWordBits);
+    apply(words[w], mask);
+  }
+}
+
+void PixelImage::set(int row, int begin, int end) {
+  for_words(row, begin, end, [](std::uint64_t& word, std::uint64_t mask) { word |= mask; });
+}
+
+void PixelImage::clear(int row, int begin, int end) {
+  for_words(row, begin, end, [](std::uint64_t& word, std::uint64_t mask) { word &= ~mask; });
+}
+
+void PixelImage::draw_capsule(Vec2 a, Vec2 b, double width) {
+  const double radius = width / 2;
+  const int last = frame_.row_from(std::max(a.y, b.y) + radius);
+  for (int r = frame_.row_from(std::min(a.y, b.y) - radius); r < std::min(last + 1, frame_.rows);
+       ++r) {
+    const Interval part = capsule_at(frame_.centre_y(r), a, b, radius);
+    if (part.empty()) continue;
+    const int end = static_cast<int>(std::floor(
+        std::clamp((part.high - frame_.low.x) / frame_.size + 0.5, 0.0, 1.0 * frame_.columns)));
+    set(r, frame_.column_from(part.low), end);
+  }
+}
+
+void PixelImage::fill(const std::vector<std::vector<Vec2>>& loops) {
+  std::vector<std::pair<int, double>> crossings;  // Row, x.
+  for (const auto& loop : loops) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      Vec2 low = loop[i];
+      Vec2 high = loop[i + 1 < loop.size() ? i + 1 : 0];
+      if (low.y > high.y) std::swap(low, high);
+      const int end = frame_.row_from(high.y);
+      for (int r = frame_.row_from(low.y); r < end; ++r) {
+        const double t = (frame_.centre_y(r) - low.y) / (high.y - low.y);
+        crossings.emplace_back(r, low.x + t * (high.x - low.x));
+      }
+    }
+  }
+  std::sort(crossings.begin(), crossings.end());
+  for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+    set(crossings[i].first, frame_.column_from(crossings[i].second),
+        frame_.column_from(crossings[i + 1].second));
+  }
+}
+
+std::int64_t PixelImage::count_without(const PixelImage& other) const {
+  SLIPSTICK_CHECK(words_.size() == other.words_.size());
+  std::int64_t n = 0;
+  for (std::size_t i = 0; i < words_.size(); ++i) n += std::popcount(words_[i] & ~other.words_[i]);
+  return n;
+}
+
+}  // namespace slipstick

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/base/box.h"
+#include "core/base/vec.h"
+
+namespace slipstick {
+
+/// Where the judge's pixels lie: squares of side `size`, column 0 and row 0 at `low`. Its own raster, on
+/// purpose not the lattice that the slicer samples on.
+struct PixelFrame {
+  Vec2 low;
+  double size = 0.05;  ///< mm.
+  int columns = 0;
+  int rows = 0;
+
+  /// The frame over `area` with an empty ring of pixels around it.
+  [[nodiscard]] static PixelFrame over(const Box2& area, double size);
+
+  [[nodiscard]] double centre_y(int row) const { return low.y + (row + 0.5) * size; }
+  /// The first column whose centre is at `x` or right of it, clamped to the frame.
+  [[nodiscard]] int column_from(double x) const;
+  [[nodiscard]] int row_from(double y) const;
+};
+
+/// A bit a pixel, 64 pixels a word.
+class PixelImage {
+ public:
+  explicit PixelImage(const PixelFrame& frame);
+
+  [[nodiscard]] const PixelFrame& frame() const { return frame_; }
+  [[nodiscard]] std::span<const std::uint64_t> row(int r) const {
+    return {words_.data() + static_cast<std::size_t>(r) * words_per_row_, words_per_row_};
+  }
+  [[nodiscard]] std::int64_t count() const;
+
+  /// Sets or clears the pixels of `row` in [begin, end).
+  void set(int row, int begin, int end);
+  void clear(int row, int begin, int end);
+
+  /// Sets all pixels whose centre is no farther than width/2 from the segment.
+  void draw_capsule(Vec2 a, Vec2 b, double width);
+  /// Sets all pixels whose centre is inside the loops by the even-odd rule.
+  void fill(const std::vector<std::vector<Vec2>>& loops);
+
+  /// The pixels that are set here and not in `other`. \pre Same frame.
+  [[nodiscard]] std::int64_t count_without(const PixelImage& other) const;
+
+ private:
+  template <typename Apply>
+  void for_words(int row, int begin, int end, Apply apply);
+
+  PixelFrame frame_;
+  std::size_t words_per_row_;
+  std::vector<std::uint64_t> words_;
+};
+
+}  // namespace slipstick

@@ -1,0 +1,95 @@
+#include "sim/printer.h"
+
+#include <algorithm>
+#include <array>
+
+namespace slipstick {
+
+namespace {
+
+/// Each direction has its own chance.
+constexpr std::uint64_t kOtherDirection = 0x5EED;
+
+}  // namespace
+
+Printer::Printer(const PrinterOptions& options, const Planner::Sink& sink)
+    : machine_(std::make_unique<Machine>(options.build_volume, sink)),
+      firmware_(std::make_unique<Firmware>(*machine_, Moment(0))),
+      to_board_(options.baud, FaultPlan(options.corrupt, options.seed)),
+      to_host_(options.baud, FaultPlan(options.corrupt, options.seed ^ kOtherDirection)) {}
+
+void Printer::receive(std::string_view bytes, Moment at) {
+  to_board_.push(bytes, std::max(at, now_));
+}
+
+/// A UART pushes what arrives into the ring or loses it; USB waits for room.
+bool Printer::deliver() {
+  RxRing& ring = firmware_->ring();
+  std::array<char, RxRing::kSize> buffer{};
+  const std::size_t most = to_board_.paced() ? buffer.size() : ring.room();
+  const std::size_t count = to_board_.take(std::span(buffer).first(most), now_);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!ring.push(buffer[i])) ++bytes_overrun_;
+  }
+  return count > 0;
+}
+
+bool Printer::think() {
+  if (!processor_free() || !firmware_->step(now_)) return false;
+  if (const std::string text = firmware_->take_text(); !text.empty()) {
+    to_host_.push(text, now_);
+    busy_until_ = std::max(now_, to_host_.idle_at());
+  }
+  return true;
+}
+
+/// All that can happen at this moment. Ends because every step consumes bytes, a command or a due time.
+void Printer::settle() {
+  machine_->advance(now_);
+  bool active = true;
+  while (active) {
+    active = deliver();
+    active = think() || active;
+  }
+}
+
+std::optional<Moment> Printer::next_event() const {
+  std::optional<Moment> first;
+  const auto consider = [&](Moment m) { first = first ? std::min(*first, m) : m; };
+  if (const auto m = firmware_->wakes_at(now_)) consider(std::max(*m, busy_until_));
+  if (const auto m = to_board_.next_at(); m && firmware_->reads()) {
+    consider(std::max(*m, busy_until_));
+  }
+  if (!machine_->halted) {
+    if (const auto m = machine_->planner.next_event()) consider(*m);
+  }
+  return first;
+}
+
+void Printer::advance(Moment to) {
+  while (true) {
+    const auto next = next_event();
+    if (!next || *next > to) break;
+    now_ = std::max(now_, *next);
+    settle();
+  }
+  if (to <= now_) return;
+  now_ = to;
+  settle();
+}
+
+void Printer::reset() {
+  machine_->reset();
+  firmware_ = std::make_unique<Firmware>(*machine_, now_);
+  busy_until_ = now_;
+}
+
+PrinterStatistics Printer::statistics() const {
+  return {.motion = machine_->planner.statistics(),
+          .lines_accepted = firmware_->lines_accepted(),
+          .resends_requested = firmware_->resends_requested(),
+          .bytes_overrun = bytes_overrun_,
+          .bytes_damaged = to_board_.faults().count() + to_host_.faults().count()};
+}
+
+}  // namespace slipstick

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <map>
+#include <mutex>
+#include <string>
+
+#include "drivers/transport.h"
+#include "sim/printer.h"
+#include "sim/virtual_clock.h"
+
+namespace slipstick {
+
+struct SimOptions {
+  PrinterOptions printer;
+  bool realtime = false;  ///< Virtual time is paced to the machine's clock.
+};
+
+/// What the options of an address say: `sim:?seed=7&corrupt=0.002&baud=250000&realtime=1&
+/// firmware=marlin-2.1.2`.
+///
+/// \return kInput for an option or a value that does not exist, with the ones that do.
+[[nodiscard]] Result<SimOptions> sim_options(const std::map<std::string, std::string>& options);
+
+/// The embedded printer as a transport, in virtual time: waiting for a byte makes time pass, computing does
+/// not.
+///
+/// Like a serial port it takes up to 4 kB that the board has not read yet; a write beyond that waits.
+/// Threads as in `Transport`.
+class SimTransport final : public Transport {
+ public:
+  static constexpr std::size_t kTtyBuffer = 4096;
+
+  explicit SimTransport(const SimOptions& options, const Planner::Sink& sink = {});
+
+  [[nodiscard]] Result<std::size_t> read_some(std::span<char> buffer,
+                                              std::chrono::microseconds patience) override;
+  [[nodiscard]] Result<void> write_all(std::string_view bytes,
+                                       std::chrono::microseconds patience) override;
+  void shut_down() noexcept override;
+  [[nodiscard]] std::string_view name() const override { return "sim:"; }
+
+  /// The printer's time, for everything above that waits or measures.
+  [[nodiscard]] const Clock& clock() const { return clock_; }
+  /// The thread that reads and writes.
+  [[nodiscard]] const Printer& printer() const { return printer_; }
+  /// Lets the machine finish what it has, at most `most`. The thread that reads and writes.
+  void run_down(Moment most);
+
+ private:
+  /// Lets time pass until the printer's next event, but not beyond `deadline`.
+  void pass_time(Moment deadline);
+  void advance_to(Moment to);
+  [[nodiscard]] Moment steady_now() const;
+
+  Printer printer_;
+  VirtualClock clock_;
+  bool realtime_;
+  std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+  std::atomic<bool> shut_down_{false};
+  std::mutex mutex_;  ///< Protects nothing but the sleep that `woken_` ends.
+  std::condition_variable woken_;
+};
+
+}  // namespace slipstick

@@ -1,0 +1,301 @@
+#include "core/solid/mesh_model.h"
+
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "core/base/rng.h"
+#include "core/image/sample.h"
+#include "core/solid/mesh_model_section.h"
+
+using namespace slipstick;
+
+namespace {
+
+TriangleMesh box_mesh(Vec3 size) {
+  TriangleMesh mesh;
+  for (unsigned i = 0; i < 8; ++i) {
+    mesh.vertices.push_back(
+        {(i & 1) != 0 ? size.x : 0, (i & 2) != 0 ? size.y : 0, (i & 4) != 0 ? size.z : 0});
+  }
+  mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                    {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  return mesh;
+}
+
+TriangleMesh tetrahedron() {
+  return {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}},
+          {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
+}
+
+// An octahedron, each triangle divided in four `times` over and blown up to the sphere of `radius`.
+TriangleMesh sphere_mesh(int times, double radius) {
+  TriangleMesh mesh{
+      {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
+      {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
+  for (int i = 0; i < times; ++i) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
+    const auto middle = [&](std::uint32_t a, std::uint32_t b) {
+      const auto [entry, added] =
+          middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(mesh.vertices.size()));
+      if (added) mesh.vertices.push_back(0.5 * (mesh.vertices[a] + mesh.vertices[b]));
+      return entry->second;
+    };
+    std::vector<TriangleMesh::Triangle> finer;
+    for (const auto& [a, b, c] : mesh.triangles) {
+      const std::uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+      finer.insert(finer.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+    }
+    mesh.triangles = finer;
+  }
+  for (Vec3& p : mesh.vertices) p = (radius / length(p)) * p;
+  return mesh;
+}
+
+bool inside(Section& section, Vec2 p) {
+  std::uint8_t result = 0;
+  section.classify({&p.x, 1}, {&p.y, 1}, {&result, 1});
+  return result != 0;
+}
+
+Affine3 tilted() {
+  return rotation_degrees({31, -17, 58});
+}
+
+// Every node asked on its own, with nothing narrowed.
+BitImage sampled_one_by_one(const Solid& solid, double z, const SliceGrid& grid) {
+  BitImage image(grid);
+  const auto section = solid.section(z);
+  for (int row = 1; row < grid.rows() - 1; ++row) {
+    for (int column = 1; column < grid.columns() - 1; ++column) {
+      image.set(column, row, inside(*section, {grid.node_x(column), grid.node_y(row)}));
+    }
+  }
+  return image;
+}
+
+SliceGrid grid_of(const Solid& solid, double sampling) {
+  const Box3 box = solid.bounds();
+  return SliceGrid::over({{box.low.x, box.low.y}, {box.high.x, box.high.y}}, sampling).value();
+}
+
+}  // namespace
+
+TEST_CASE("A box is what lies between its walls, the left and lower ones included") {
+  const MeshModel model(box_mesh({3, 2, 1}));
+  const auto solid = model.placed({});
+  const auto section = solid->section(0.5);
+
+  for (double x = -0.5; x <= 3.5; x += 0.25) {
+    for (double y = -0.5; y <= 2.5; y += 0.25) {
+      CHECK(inside(*section, {x, y}) == (x >= 0 && x < 3 && y >= 0 && y < 2));
+    }
+  }
+}
+
+TEST_CASE("Planes through vertices are halves of the same cut") {
+  const auto solid = MeshModel(box_mesh({1, 1, 1})).placed({});
+
+  CHECK(inside(*solid->section(0), {0.5, 0.5}));
+  CHECK_FALSE(inside(*solid->section(1), {0.5, 0.5}));
+  CHECK_FALSE(inside(*solid->section(-1), {0.5, 0.5}));
+  CHECK_FALSE(inside(*solid->section(2), {0.5, 0.5}));
+}
+
+TEST_CASE("A tetrahedron's samples are those of its planes") {
+  const auto solid = MeshModel(tetrahedron()).placed({});
+  for (const double z : {0.0, 0.75, 1.0, 2.5, 3.75}) {
+    const auto section = solid->section(z);
+    for (double x = -0.375; x < 5; x += 0.25) {
+      for (double y = -0.375; y < 5; y += 0.25) {
+        CAPTURE(x, y, z);
+        CHECK(inside(*section, {x, y}) == (x >= 0 && y >= 0 && x + y + z < 4));
+      }
+    }
+  }
+}
+
+TEST_CASE("A fine sphere is the ball but for its chords, in any pose") {
+  const double radius = 5;
+  const MeshModel model(sphere_mesh(5, radius));
+  // A triangle's longest side is below 2·radius·(pi/2)/2^5; its chord lies at most side²/(6·radius)
+  // inside the sphere.
+  const double depth = 0.05;
+  for (const Affine3& map : {Affine3{}, tilted(), rotation_degrees({90, 0, 45})}) {
+    const auto solid = model.placed(map);
+    for (const double z : {-4.0, -0.3, 0.0, 2.5}) {
+      const auto section = solid->section(z);
+      for (double x = -5.5; x < 5.5; x += 0.21) {
+        for (double y = -5.5; y < 5.5; y += 0.19) {
+          const double r = length(Vec3{x, y, z});
+          if (r < radius - depth) CHECK(inside(*section, {x, y}));
+          if (r > radius) CHECK_FALSE(inside(*section, {x, y}));
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("Every row crosses a closed mesh an even number of times") {
+  const std::array<TriangleMesh, 3> meshes{box_mesh({1, 2, 3}), tetrahedron(), sphere_mesh(3, 2)};
+  Rng rng(7);
+  for (const TriangleMesh& mesh : meshes) {
+    for (const Affine3& map : {Affine3{}, tilted(), rotation_degrees({0, 0, 45})}) {
+      const auto solid = MeshModel(mesh).placed(map);
+      const Box3 box = solid->bounds();
+      for (int trial = 0; trial < 60; ++trial) {
+        // Also heights of vertices and rows of cut points, where careless code breaks.
+        const Vec3 v = map(mesh.vertices[rng.below(mesh.vertices.size())]);
+        const double z = trial % 2 == 0 ? v.z : box.low.z + rng.unit() * box.size().z;
+        const auto section = solid->section(z);
+        auto& outline = dynamic_cast<OutlineSection&>(*section);
+
+        CHECK(outline.crossings(v.y) % 2 == 0);
+        CHECK(outline.crossings(box.low.y + rng.unit() * box.size().y) % 2 == 0);
+      }
+    }
+  }
+}
+
+TEST_CASE("Sampling by tiles asks the same question as point by point") {
+  TriangleMesh torn = sphere_mesh(3, 4);
+  torn.triangles.erase(torn.triangles.begin() + 40, torn.triangles.begin() + 90);
+  for (const TriangleMesh& mesh : {sphere_mesh(4, 6), box_mesh({9, 7, 5}), torn}) {
+    const auto solid = MeshModel(mesh).placed(tilted());
+    const SliceGrid grid = grid_of(*solid, 0.05);
+    for (const double share : {0.2, 0.5, 0.77}) {
+      const double z = solid->bounds().low.z + share * solid->bounds().size().z;
+      const auto section = solid->section(z);
+
+      const auto image = sample(*section, grid);
+
+      REQUIRE(image);
+      CHECK(image->any());
+      CHECK(*image == sampled_one_by_one(*solid, z, grid));
+    }
+  }
+}
+
+TEST_CASE("Where no outline is near, one answer covers the box") {
+  const auto solid = MeshModel(box_mesh({10, 10, 10})).placed({});
+  const auto section = solid->section(5);
+
+  CHECK(section->narrowed({{1, 1}, {9, 9}}).cover == Cover::kInside);
+  CHECK(section->narrowed({{11, 1}, {12, 9}}).cover == Cover::kOutside);
+  CHECK(section->narrowed({{1, 11}, {9, 12}}).cover == Cover::kOutside);
+  CHECK(section->narrowed({{-2, 1}, {-1, 9}}).cover == Cover::kOutside);
+  CHECK(section->narrowed({{9, 9}, {11, 11}}).cover == Cover::kMixed);
+}
+
+TEST_CASE("Nothing is certain beside an open mesh") {
+  TriangleMesh mesh = box_mesh({10, 10, 10});
+  mesh.triangles.pop_back();
+  const auto section = MeshModel(mesh).placed({})->section(5);
+
+  CHECK(section->narrowed({{1, 1}, {9, 9}}).cover == Cover::kMixed);
+  CHECK(section->narrowed({{-2, 1}, {-1, 9}}).cover == Cover::kOutside);
+}
+
+TEST_CASE("Boundary edges are counted and reported") {
+  TriangleMesh open = box_mesh({1, 1, 1});
+  open.triangles.pop_back();
+  TriangleMesh winged = box_mesh({1, 1, 1});
+  winged.vertices.push_back({2, 2, 2});
+  winged.triangles.push_back({0, 1, 8});
+
+  CHECK(MeshModel(box_mesh({1, 1, 1})).open_edges() == 0);
+  CHECK(MeshModel(box_mesh({1, 1, 1})).warning().empty());
+  CHECK(MeshModel(open).open_edges() == 3);
+  CHECK(MeshModel(open).non_manifold_edges() == 0);
+  CHECK(MeshModel(open).warning() ==
+        "not closed: 3 boundary edges, parity may leak; repair the mesh");
+  CHECK(MeshModel(winged).open_edges() == 3);
+  CHECK(MeshModel(winged).non_manifold_edges() == 1);
+}
+
+TEST_CASE("Bounds of a mesh are those of its vertices in any pose") {
+  const MeshModel model(tetrahedron());
+  const Affine3 map = composed(translation({1, 2, 3}), rotation_degrees({0, 0, 90}));
+
+  CHECK(model.bounds_under(map) == Box3{{-3, 2, 3}, {1, 6, 7}});
+  CHECK(model.placed(map)->bounds() == model.bounds_under(map));
+  CHECK(model.kind() == "mesh");
+  CHECK(model.size_text() == "4 triangles");
+}
+
+TEST_CASE("A flat mesh has no inside") {
+  const TriangleMesh flat{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  const auto solid = MeshModel(flat).placed({});
+
+  CHECK_FALSE(inside(*solid->section(0), {0.2, 0.2}));
+}
+
+TEST_CASE("A model's name says its format and stands in its errors") {
+  const auto model = load_mesh_model("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "dir.ply/a.OFF");
+  const auto nameless = load_mesh_model("OFF", "model");
+
+  REQUIRE(model);
+  CHECK((*model)->open_edges() == 3);
+  REQUIRE_FALSE(nameless);
+  CHECK(nameless.error().message == "model: \"\" is no mesh format; use stl, obj, ply or off");
+}
+
+TEST_CASE("The interval index finds all that hold a value") {
+  Rng rng(3);
+  std::vector<Interval> intervals;
+  for (int i = 0; i < 500; ++i) {
+    const double low = rng.unit() * 10;
+    const double length = i % 3 == 0 ? rng.unit() * 10 : rng.unit() * 0.1;
+    intervals.push_back({low, low + (i % 7 == 0 ? 0 : length)});
+  }
+  const IntervalIndex index(intervals);
+  std::vector<double> values{-1, 0, 5, 10, 21};
+  for (const Interval& i : intervals) values.insert(values.end(), {i.low, i.high});
+  for (const double value : values) {
+    std::vector<int> found(intervals.size(), 0);
+
+    index.for_each_near(value, [&](std::uint32_t i) { ++found[i]; });
+
+    for (std::size_t i = 0; i < intervals.size(); ++i) {
+      if (intervals[i].low <= value && value <= intervals[i].high) REQUIRE(found[i] == 1);
+      REQUIRE(found[i] <= 1);
+    }
+  }
+}
+
+TEST_CASE("The Stanford bunny's middle is one piece without holes") {
+  const char* folder = std::getenv("SLIPSTICK_MODELS");
+  if (folder == nullptr) {
+    WARN("skipped: SLIPSTICK_MODELS is not set");
+    return;
+  }
+  std::ifstream file(std::string(folder) + "/bunny_closed_75k.ply", std::ios::binary);
+  std::stringstream bytes;
+  bytes << file.rdbuf();
+  const auto model = load_mesh_model(bytes.str(), "bunny.ply");
+  REQUIRE(model);
+  CHECK((*model)->size_text() == "75408 triangles");
+  CHECK((*model)->warning().empty());
+  const auto solid =
+      (*model)->placed(composed(scaling({60, 60, 60}), rotation_degrees({90, 0, 0})));
+  const SliceGrid grid = grid_of(*solid, 0.5);
+  const double z = solid->bounds().low.z + 0.3 * solid->bounds().size().z;
+
+  const auto image = sample(*solid->section(z), grid);
+
+  REQUIRE(image);
+  CHECK(*image == sampled_one_by_one(*solid, z, grid));
+  // One piece without holes has Euler number 1: nodes - edges + squares.
+  int euler = 0;
+  for (int row = 0; row < grid.rows(); ++row) {
+    for (int column = 0; column < grid.columns(); ++column) {
+      const bool here = image->at(column, row), right = image->at(column + 1, row);
+      const bool up = image->at(column, row + 1), across = image->at(column + 1, row + 1);
+      euler += static_cast<int>(here) - static_cast<int>(here && right) -
+               static_cast<int>(here && up) + static_cast<int>(here && right && up && across);
+    }
+  }
+  CHECK(euler == 1);
+}
