@@ -1,0 +1,56 @@
+#pragma once
+
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "drivers/marlin/sender.h"
+
+namespace slipstick {
+
+/// A sender and a printer played by the test.
+class Talk {
+ public:
+  /// Past the greeting: lines 0 to 2 are M110, M115 and M155; the job begins with 3.
+  void greet() {
+    expects("");
+    silence(std::chrono::milliseconds(2500));
+    expects("\nN0 M110 N0*125\n");
+    says("ok");
+    silence(std::chrono::milliseconds(60));
+    expects("N1 M115*39\n");
+    says("FIRMWARE_NAME:Marlin 2.1.2 SOURCE_CODE_URL:x");
+    says("Cap:AUTOREPORT_TEMP:1");
+    says("Cap:EMERGENCY_PARSER:1");
+    says("ok");
+    expects(frame(2, "M155 S2"));
+    says("ok");
+    expects("");
+    (void)sender.take_events();
+  }
+
+  void says(std::string_view line) { sender.receive(std::string(line) + "\n", now); }
+
+  void expects(std::string_view bytes) { REQUIRE(sender.take_output(now) == bytes); }
+
+  void silence(Moment time) { now += time; }
+
+  void job(std::string_view text) { sender.push(*Line::make(text)); }
+
+  /// Sends `text` as `number` and has it accepted.
+  void prints(LineNumber number, std::string_view text) {
+    job(text);
+    expects(frame(number, text));
+    says("ok");
+  }
+
+  void refuses(LineNumber last, std::string_view why = "checksum mismatch") {
+    says("Error:" + std::string(why) + ", Last Line: " + std::to_string(last));
+    says("Resend: " + std::to_string(last + 1));
+    says("ok");
+  }
+
+  Sender sender;
+  Moment now{};
+};
+
+}  // namespace slipstick
