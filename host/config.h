@@ -18,11 +18,11 @@ namespace slipstick {
 struct SettingsRequest {
   std::string printer = "generic_marlin";
   std::string material = "pla";
-  std::string profile;                 ///< Empty: none.
-  std::vector<std::string> overrides;  ///< "key=value".
+  std::string profile = {};                 ///< Empty: none.
+  std::vector<std::string> overrides = {};  ///< "key=value".
   /// Where printers/, materials/ and profiles/ are looked for, best first. Empty:
   /// `config_folders()`.
-  std::vector<std::filesystem::path> folders;
+  std::vector<std::filesystem::path> folders = {};
 };
 
 /// The environment's SLIPSTICK_CONFIGS, the source's configs/, /usr/share/slipstick/configs.

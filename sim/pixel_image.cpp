@@ -12,6 +12,7 @@ namespace slipstick {
 namespace {
 
 constexpr int kWordBits = 64;
+constexpr double kDiagonal = 1.4143;  // of a pixel of side 1, rounded up
 
 int clamped_ceil(double value, int high) {
   return static_cast<int>(std::ceil(std::clamp(value, 0.0, static_cast<double>(high))));
@@ -115,7 +116,7 @@ void PixelImage::clear(int row, int begin, int end) {
 }
 
 void PixelImage::draw_capsule(Vec2 a, Vec2 b, double width) {
-  const double radius = width / 2;
+  const double radius = std::max(width, frame_.size * kDiagonal) / 2;
   const int last = frame_.row_from(std::max(a.y, b.y) + radius);
   for (int r = frame_.row_from(std::min(a.y, b.y) - radius); r < std::min(last + 1, frame_.rows);
        ++r) {
@@ -127,25 +128,21 @@ void PixelImage::draw_capsule(Vec2 a, Vec2 b, double width) {
   }
 }
 
-void PixelImage::fill(const std::vector<std::vector<Vec2>>& loops) {
-  std::vector<std::pair<int, double>> crossings;  // Row, x.
-  for (const auto& loop : loops) {
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      Vec2 low = loop[i];
-      Vec2 high = loop[i + 1 < loop.size() ? i + 1 : 0];
-      if (low.y > high.y) std::swap(low, high);
-      const int end = frame_.row_from(high.y);
-      for (int r = frame_.row_from(low.y); r < end; ++r) {
-        const double t = (frame_.centre_y(r) - low.y) / (high.y - low.y);
-        crossings.emplace_back(r, low.x + t * (high.x - low.x));
+PixelImage PixelImage::grown() const {
+  PixelImage result = *this;
+  for (int r = 0; r < frame_.rows; ++r) {
+    std::uint64_t before = 0;
+    for (std::size_t w = 0; w < words_per_row_; ++w) {
+      const std::uint64_t word = row(r)[w];
+      const std::uint64_t after = w + 1 < words_per_row_ ? row(r)[w + 1] : 0;
+      const std::uint64_t wide = word | word << 1 | word >> 1 | before >> 63 | after << 63;
+      before = word;
+      for (int to = std::max(r - 1, 0); to <= std::min(r + 1, frame_.rows - 1); ++to) {
+        result.words_[static_cast<std::size_t>(to) * words_per_row_ + w] |= wide;
       }
     }
   }
-  std::sort(crossings.begin(), crossings.end());
-  for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
-    set(crossings[i].first, frame_.column_from(crossings[i].second),
-        frame_.column_from(crossings[i + 1].second));
-  }
+  return result;
 }
 
 std::int64_t PixelImage::count_without(const PixelImage& other) const {

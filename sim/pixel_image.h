@@ -41,10 +41,11 @@ class PixelImage {
   void set(int row, int begin, int end);
   void clear(int row, int begin, int end);
 
-  /// Sets all pixels whose centre is no farther than width/2 from the segment.
+  /// Sets all pixels whose centre is no farther than width/2 from the segment, or than half a pixel's
+  /// diagonal if that is more: a bead thinner than a pixel still hangs together.
   void draw_capsule(Vec2 a, Vec2 b, double width);
-  /// Sets all pixels whose centre is inside the loops by the even-odd rule.
-  void fill(const std::vector<std::vector<Vec2>>& loops);
+  /// With every pixel, its eight neighbours.
+  [[nodiscard]] PixelImage grown() const;
 
   /// The pixels that are set here and not in `other`. \pre Same frame.
   [[nodiscard]] std::int64_t count_without(const PixelImage& other) const;

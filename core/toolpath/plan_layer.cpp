@@ -17,7 +17,7 @@ void append(std::vector<Bead>& to, std::vector<Bead>&& from) {
 }  // namespace
 
 LayerToolpaths plan_layer(const LayerInput& input, const PrintSettings& settings) {
-  const LineMeasures lines = measures_of(settings.toolpath, input.layer, input.height);
+  const LineMeasures lines = measures_of(settings, input.layer, input.height);
   // Deep enough for the innermost level and the nodes just beyond it.
   const double reach = lines.centre(lines.perimeters) + 2 * input.image.grid().width();
   const DistanceField depth(input.image, input.outline, reach);

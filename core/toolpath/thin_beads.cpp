@@ -11,6 +11,8 @@ namespace {
 // Of a line width. A line's free end stays if it is at least so deep; a bead is at most so wide.
 constexpr double kEndDepth = 0.15;
 constexpr double kWidthMax = 1.6;
+// Of a cell: what filament can still be counted out for.
+constexpr double kWidthMin = 0.5;
 // A spur is what is left of a corner, not a wall, if it deepens this much towards its root (a wall keeps its
 // depth; the bisector of a right angle deepens by 0.7) …
 constexpr double kCornerSlope = 0.35;
@@ -18,6 +20,8 @@ constexpr double kCornerSlope = 0.35;
 constexpr double kSpurLengthMin = 1.0;
 // Nodes of a chain may be left out where the bead moves by no more than this part of its half width.
 constexpr double kStraightening = 0.25;
+// A piece ends where the room has changed by this part.
+constexpr double kTaper = 0.2;
 
 class BeadMaker {
  public:
@@ -35,12 +39,13 @@ class BeadMaker {
     Bead bead;
     bead.role = Role::kThinBead;
     bead.closed = chain.closed;
-    for (const std::size_t i : corners_of(chain)) {
-      bead.points.push_back(mm(chain.nodes[i]));
-      bead.widths.push_back(width(chain.nodes[i]));
+    const std::vector<std::size_t> corners = corners_of(chain);
+    for (const std::size_t i : corners) bead.points.push_back(mm(chain.nodes[i]));
+    if (corners.size() == 1) return speck(bead, width(depth(chain.nodes[0])));
+    for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+      bead.widths.push_back(width(room(chain, corners[i], corners[i + 1])));
     }
-    if (bead.points.size() == 1) return speck(bead);
-    if (!bead.closed) bead.widths.pop_back();
+    if (bead.closed) bead.widths.push_back(width(room(chain, corners.back(), chain.nodes.size())));
     return bead;
   }
 
@@ -49,8 +54,29 @@ class BeadMaker {
   [[nodiscard]] double depth(Node n) const {
     return thin_.depth.at(n.column, n.row) - thin_.edge;
   }
-  [[nodiscard]] double width(Node n) const {
-    return std::clamp(2 * depth(n), grid_.width(), kWidthMax * thin_.line_width);
+  [[nodiscard]] double width(double room) const {
+    return std::clamp(2 * room, kWidthMin * grid_.width(), kWidthMax * thin_.line_width);
+  }
+  [[nodiscard]] static Node node(const Chain& chain, std::size_t i) {
+    return chain.nodes[i < chain.nodes.size() ? i : 0];
+  }
+
+  // How far a straight bead from node `from` to node `to` stays from the edge: depth changes by no more
+  // than one goes, so what it leaves aside counts against it.
+  [[nodiscard]] double room(const Chain& chain, std::size_t from, std::size_t to) const {
+    double least = kWidthMax * thin_.line_width;
+    for (std::size_t i = from; i <= to; ++i) {
+      const double aside = i == from || i == to ? 0 : off(chain, from, to, i);
+      least = std::min(least, depth(node(chain, i)) - aside);
+    }
+    return least;
+  }
+
+  // Distance of node `i` from the line through two others.
+  [[nodiscard]] double off(const Chain& chain, std::size_t from, std::size_t to,
+                           std::size_t i) const {
+    const Vec2 a = mm(node(chain, from)), edge = mm(node(chain, to)) - a;
+    return std::abs(cross(edge, mm(node(chain, i)) - a)) / length(edge);
   }
 
   [[nodiscard]] double length_of(const Chain& chain) const {
@@ -79,20 +105,20 @@ class BeadMaker {
   }
 
   [[nodiscard]] bool is_straight(const Chain& chain, std::size_t from, std::size_t to) const {
-    const Vec2 a = mm(chain.nodes[from]), edge = mm(chain.nodes[to]) - a;
+    const double here = depth(chain.nodes[from]);
     for (std::size_t i = from + 1; i < to; ++i) {
-      const double off = std::abs(cross(edge, mm(chain.nodes[i]) - a)) / length(edge);
-      if (off > kStraightening * width(chain.nodes[i]) / 2) return false;
-      if (std::abs(width(chain.nodes[i]) - width(chain.nodes[from])) > grid_.width()) return false;
+      const double room = depth(chain.nodes[i]);
+      if (off(chain, from, to, i) > kStraightening * room) return false;
+      if (std::abs(room - here) > kTaper * here) return false;
     }
     return true;
   }
 
   // A bead must have a length to have plastic.
-  [[nodiscard]] Bead speck(Bead bead) const {
-    const double half = bead.widths[0] / 4;
+  [[nodiscard]] static Bead speck(Bead bead, double width) {
+    const double half = width / 4;
     bead.points = {bead.points[0] - Vec2{half, 0}, bead.points[0] + Vec2{half, 0}};
-    bead.closed = false;
+    bead.widths = {width};
     return bead;
   }
 

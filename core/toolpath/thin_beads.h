@@ -22,7 +22,7 @@ struct ThinRegion {
 ///
 /// They and the kept part have exactly the components and holes of the region: every thin neck is bridged,
 /// every speck is printed, no hole is closed. Thin walls keep their length, corners leave no spurs. A bead
-/// is never narrower than a cell of the lattice: that is as thin as a sample can say.
+/// stays within the region, but is never narrower than half a cell of the lattice.
 [[nodiscard]] std::vector<Bead> thin_beads(const ThinRegion& thin);
 
 }  // namespace slipstick

@@ -10,7 +10,7 @@ namespace {
 void add_rings(const BitImage& inside, const DistanceField& depth, double level, Role role,
                const LineMeasures& lines, const SlicingSettings& slicing,
                std::vector<Bead>& beads) {
-  const Outline rings = level_outline(inside, depth, level, slicing.tolerance, slicing.ambiguity);
+  const Outline rings = level_outline(inside, depth, level, lines.tolerance, slicing.ambiguity);
   for (auto& polygon : polygons_of(rings)) {
     beads.push_back({std::move(polygon), {lines.width}, role, true});
   }
@@ -18,9 +18,11 @@ void add_rings(const BitImage& inside, const DistanceField& depth, double level,
 
 }  // namespace
 
-LineMeasures measures_of(const ToolpathSettings& settings, int layer, double height) {
-  const double width = layer == 0 ? settings.first_layer_line_width : settings.line_width;
-  return {width, bead_spacing(width, height), settings.perimeters, settings.infill_overlap};
+LineMeasures measures_of(const PrintSettings& settings, int layer, double height) {
+  const ToolpathSettings& t = settings.toolpath;
+  const double width = layer == 0 ? t.first_layer_line_width : t.line_width;
+  return {width, bead_spacing(width, height), t.perimeters, t.infill_overlap,
+          settings.slicing.tolerance / 2};
 }
 
 std::vector<Bead> wall_beads(const BitImage& image, const DistanceField& depth,

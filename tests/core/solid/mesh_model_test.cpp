@@ -108,7 +108,7 @@ TEST_CASE("A tetrahedron's samples are those of its planes") {
   const auto solid = MeshModel(tetrahedron()).placed({});
   for (const double z : {0.0, 0.75, 1.0, 2.5, 3.75}) {
     const auto section = solid->section(z);
-    for (double x = -0.375; x < 5; x += 0.25) {
+    for (double x = -0.3125; x < 5; x += 0.25) {
       for (double y = -0.375; y < 5; y += 0.25) {
         CAPTURE(x, y, z);
         CHECK(inside(*section, {x, y}) == (x >= 0 && y >= 0 && x + y + z < 4));
