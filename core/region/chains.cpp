@@ -15,6 +15,11 @@ class Tracker {
   std::vector<Chain> run() {
     const std::vector<Node> nodes = line_nodes();
     for (const Node n : nodes) {
+      for (const Node m : beside(n)) {
+        if (!is_line(m) && !walked(m, n)) add_open(walk(m, n));
+      }
+    }
+    for (const Node n : nodes) {
       if (beside(n).size() != 2) follow_all(n);
     }
     for (const Node n : nodes) {  // what is left are closed lines

@@ -72,11 +72,13 @@ class BeadMaker {
     return least;
   }
 
-  // Distance of node `i` from the line through two others.
+  // Distance of node `i` from the straight piece between two others.
   [[nodiscard]] double off(const Chain& chain, std::size_t from, std::size_t to,
                            std::size_t i) const {
     const Vec2 a = mm(node(chain, from)), edge = mm(node(chain, to)) - a;
-    return std::abs(cross(edge, mm(node(chain, i)) - a)) / length(edge);
+    const Vec2 v = mm(node(chain, i)) - a;
+    const double t = std::clamp(dot(v, edge) / dot(edge, edge), 0.0, 1.0);
+    return length(v - t * edge);
   }
 
   [[nodiscard]] double length_of(const Chain& chain) const {
