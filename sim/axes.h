@@ -29,11 +29,15 @@ constexpr Axes operator-(const Axes& a, const Axes& b) {
 constexpr Axes operator+(const Axes& a, const Axes& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z, a.e + b.e};
 }
-constexpr Axes operator*(double s, const Axes& a) { return {s * a.x, s * a.y, s * a.z, s * a.e}; }
+constexpr Axes operator*(double s, const Axes& a) {
+  return {s * a.x, s * a.y, s * a.z, s * a.e};
+}
 constexpr double dot(const Axes& a, const Axes& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z + a.e * b.e;
 }
-inline double length(const Axes& a) { return std::sqrt(dot(a, a)); }
+inline double length(const Axes& a) {
+  return std::sqrt(dot(a, a));
+}
 
 /// The most that can be had along `direction` when no axis may have more than its `limits`.
 inline double limited(double wanted, const Axes& direction, const Axes& limits) {

@@ -11,8 +11,12 @@ constexpr std::int64_t kNsPerUs = 1'000;
 /// Bytes already taken are removed from the front of the buffer when there are so many.
 constexpr std::size_t kCompactAt = 1 << 16;
 
-std::int64_t to_ns(Moment m) { return m.count() * kNsPerUs; }
-Moment rounded_up(std::int64_t ns) { return Moment((ns + kNsPerUs - 1) / kNsPerUs); }
+std::int64_t to_ns(Moment m) {
+  return m.count() * kNsPerUs;
+}
+Moment rounded_up(std::int64_t ns) {
+  return Moment((ns + kNsPerUs - 1) / kNsPerUs);
+}
 
 }  // namespace
 
@@ -40,7 +44,9 @@ std::optional<Moment> BytePipe::next_at() const {
   return rounded_up(burst.start_ns + duration_ns(burst.taken + 1));
 }
 
-Moment BytePipe::idle_at() const { return rounded_up(idle_ns_); }
+Moment BytePipe::idle_at() const {
+  return rounded_up(idle_ns_);
+}
 
 std::int64_t BytePipe::arrived(const Burst& burst, Moment by) const {
   const std::int64_t elapsed = to_ns(by) - burst.start_ns;

@@ -53,7 +53,7 @@ class BytePipe {
 
   int baud_;
   FaultPlan faults_;
-  std::string bytes_;      ///< From `head_` on: not yet taken.
+  std::string bytes_;  ///< From `head_` on: not yet taken.
   std::size_t head_ = 0;
   std::deque<Burst> bursts_;
   std::int64_t idle_ns_ = 0;

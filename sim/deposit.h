@@ -19,9 +19,9 @@ struct ExtrudedSegment {
 
 /// Moves of the machine -> beads, as they are made; nothing is kept but the heights of layers.
 ///
-/// A move that pushes filament while it goes across the bed leaves a bead whose cross-section holds that
-/// filament. The layer below is the highest one, of those printed since the nozzle was last lower, whose z
-/// is less; the first layer lies on the bed at 0. A bead below 0 is none.
+/// A move that pushes filament while it goes across the bed leaves a bead whose cross-section holds
+/// that filament. The layer below is the highest one, of those printed since the nozzle was last
+/// lower, whose z is less; the first layer lies on the bed at 0. A bead below 0 is none.
 class Deposit {
  public:
   using Sink = std::function<void(const ExtrudedSegment&)>;

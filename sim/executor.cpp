@@ -45,7 +45,9 @@ void Executor::unknown(std::string_view line) {
   text_.append("echo:Unknown command: \"").append(bare_command(line)).append("\"\n");
 }
 
-std::string Executor::take_text() { return std::exchange(text_, {}); }
+std::string Executor::take_text() {
+  return std::exchange(text_, {});
+}
 
 bool Executor::run_g(const GcodeCommand& command, Moment now) {
   switch (command.code()) {
@@ -172,9 +174,10 @@ Axes Executor::destination(const GcodeCommand& command) const {
           coordinate('Z', from.z, machine_.relative), coordinate('E', from.e, machine_.relative_e)};
   if (machine_.homed) {
     const Axes& shift = machine_.shift;
-    to.x = std::clamp(to.x, -shift.x, machine_.build_volume.x - shift.x);
-    to.y = std::clamp(to.y, -shift.y, machine_.build_volume.y - shift.y);
-    to.z = std::clamp(to.z, -shift.z, machine_.build_volume.z - shift.z);
+    const Vec3& volume = machine_.build_volume;
+    to.x = std::clamp(to.x + shift.x, 0.0, volume.x) - shift.x;
+    to.y = std::clamp(to.y + shift.y, 0.0, volume.y) - shift.y;
+    to.z = std::clamp(to.z + shift.z, 0.0, volume.z) - shift.z;
   }
   return to;
 }
@@ -274,7 +277,9 @@ void Executor::become_still(Stage next) {
   stage_ = Stage::kStill;
 }
 
-void Executor::stop_waiting() { heat_cancelled_ = stage_ == Stage::kHeat; }
+void Executor::stop_waiting() {
+  heat_cancelled_ = stage_ == Stage::kHeat;
+}
 
 bool Executor::proceed_still(Moment now) {
   if (!machine_.planner.idle()) return false;

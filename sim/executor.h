@@ -10,17 +10,18 @@
 
 namespace slipstick {
 
-/// Commands -> machine. One command runs at a time; most end at once, some wait for the planner, the
-/// clock or a heater, as their handlers in Marlin do.
+/// Commands -> machine. One command runs at a time; most end at once, some wait for the planner,
+/// the clock or a heater, as their handlers in Marlin do.
 ///
 /// M110 and M112 belong to the firmware (firmware.h), which owns line numbers and life.
 class Executor {
  public:
-  static constexpr Moment kHomingTime{15'400'000};  ///< Seen with Marlin 2.1.2 on its simulated board.
+  static constexpr Moment kHomingTime{
+      15'400'000};  ///< Seen with Marlin 2.1.2 on its simulated board.
   static constexpr Moment kReportPeriod{1'000'000};  ///< Of temperatures during M109 and M190.
   static constexpr Moment kHeatPoll{100'000};
-  static constexpr double kExtrusionMax = 200;       ///< mm of filament in one move.
-  static constexpr double kFarthest = 1e6;           ///< mm: no coordinate is beyond, homed or not.
+  static constexpr double kExtrusionMax = 200;  ///< mm of filament in one move.
+  static constexpr double kFarthest = 1e6;      ///< mm: no coordinate is beyond, homed or not.
 
   explicit Executor(Machine& machine) : machine_(machine) {}
 
@@ -31,8 +32,8 @@ class Executor {
   [[nodiscard]] bool proceed(Moment now);
 
   [[nodiscard]] bool running() const { return stage_ != Stage::kDone; }
-  /// When `proceed` should be called next if the planner does nothing before; nothing if only the planner
-  /// counts. \pre Running.
+  /// When `proceed` should be called next if the planner does nothing before; nothing if only the
+  /// planner counts. \pre Running.
   [[nodiscard]] std::optional<Moment> wakes_at() const;
 
   /// Ends a wait for a heater: M108.
@@ -80,17 +81,17 @@ class Executor {
   std::string text_;
   bool wants_ok_ = true;
 
-  Axes target_;                 ///< Of the move that waits for room.
+  Axes target_;  ///< Of the move that waits for room.
   double speed_ = 0;
 
   Stage after_still_ = Stage::kDone;
-  Moment wait_{0};              ///< How long to dwell once still.
-  Moment until_{0};             ///< Of dwelling and homing; next report of heating.
+  Moment wait_{0};   ///< How long to dwell once still.
+  Moment until_{0};  ///< Of dwelling and homing; next report of heating.
   Moment polled_at_{0};
   Heater* heater_ = nullptr;
   Residency residency_;
   bool heat_cancelled_ = false;
-  Axes homed_to_;               ///< Where homing will have brought the machine.
+  Axes homed_to_;  ///< Where homing will have brought the machine.
 
   Moment report_period_{0};
   Moment busy_period_{2'000'000};

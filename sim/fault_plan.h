@@ -11,8 +11,8 @@ namespace slipstick {
 /// What goes wrong on one direction of the wire: the only place where faults are made.
 class FaultPlan {
  public:
-  /// A wire that damages `share` of its bytes, each time in one of three ways by chance: one bit flips,
-  /// the byte is lost, the byte comes twice. \pre 0 <= `share` <= 1.
+  /// A wire that damages `share` of its bytes, each time in one of three ways by chance: one bit
+  /// flips, the byte is lost, the byte comes twice. \pre 0 <= `share` <= 1.
   FaultPlan(double share, std::uint64_t seed);
 
   [[nodiscard]] bool harmless() const { return share_ <= 0; }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "core/gcode/parse.h"
@@ -13,7 +14,9 @@ namespace slipstick {
 Firmware::Firmware(Machine& machine, Moment power_on)
     : machine_(machine), executor_(machine), boot_at_(power_on + kBootTime) {}
 
-std::string Firmware::take_text() { return std::exchange(text_, {}); }
+std::string Firmware::take_text() {
+  return std::exchange(text_, {});
+}
 
 bool Firmware::step(Moment now) {
   if (machine_.halted) return false;
@@ -27,7 +30,6 @@ bool Firmware::step(Moment now) {
 
 bool Firmware::boot(Moment now) {
   if (now < boot_at_) return false;
-  ring_.clear();  // Nobody listened so far.
   text_ += banner_report(machine_);
   booted_ = true;
   return true;
@@ -101,7 +103,10 @@ void Firmware::begin_command(Moment now) {
   const auto command = parse_gcode(queue_.front());
   if (command && command->is('M', 112)) return kill();
   if (command && command->is('M', 110)) {
-    if (const auto n = command->value('N')) gate_.set_last_number(static_cast<std::int64_t>(*n));
+    constexpr double kMost = std::numeric_limits<std::int32_t>::max();
+    if (const auto n = command->value('N')) {
+      gate_.set_last_number(static_cast<std::int64_t>(std::clamp(*n, -kMost, kMost)));
+    }
     return;
   }
   executor_.begin(queue_.front(), command, now);

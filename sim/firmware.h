@@ -15,13 +15,13 @@ namespace slipstick {
 
 /// Marlin 2.1.2's main loop: receive buffer, line check, command queue, ok, resend, busy, reports.
 ///
-/// It runs in steps, each of which does what Marlin does between two prints: because printing blocks the
-/// processor (no transmit buffer), the caller lets the text of one step go out over the wire before the
-/// next one.
+/// It runs in steps, each of which does what Marlin does between two prints: because printing
+/// blocks the processor (no transmit buffer), the caller lets the text of one step go out over the
+/// wire before the next one.
 class Firmware {
  public:
-  static constexpr std::size_t kQueueMax = 4;          ///< BUFSIZE, the running command included.
-  static constexpr Moment kBootTime{70'000};           ///< From power on to "start".
+  static constexpr std::size_t kQueueMax = 4;  ///< BUFSIZE, the running command included.
+  static constexpr Moment kBootTime{70'000};   ///< From power on to "start".
 
   /// Switched on at `power_on`.
   Firmware(Machine& machine, Moment power_on);
@@ -36,6 +36,9 @@ class Firmware {
 
   /// When there may be something to do even if no byte comes and no move ends.
   [[nodiscard]] std::optional<Moment> wakes_at(Moment now) const;
+
+  /// Whether it has said "start". Before, nobody hears what arrives.
+  [[nodiscard]] bool booted() const { return booted_; }
 
   /// Whether received bytes would be read now.
   [[nodiscard]] bool reads() const {
@@ -52,7 +55,8 @@ class Firmware {
   void receive(std::string_view line);
   void reject(Verdict verdict);
   void request_resend();
-  /// What Marlin obeys when it reads it, not when its turn comes: M108 and M112 at the start of a line.
+  /// What Marlin obeys when it reads it, not when its turn comes: M108 and M112 at the start of a
+  /// line.
   void obey_early(std::string_view line);
   bool report(Moment now);
   bool stay_busy(Moment now);
@@ -70,11 +74,11 @@ class Firmware {
   std::string text_;
   Moment boot_at_;
   bool booted_ = false;
-  bool ok_due_ = false;            ///< Whether the running command ends with "ok".
-  bool resending_ = false;         ///< The Error line is out, the flush and the Resend are due.
-  Moment busy_at_{0};              ///< When to say "busy", while a command runs.
-  Moment report_at_{0};            ///< Next automatic report.
-  Moment report_period_{0};        ///< As it was when `report_at_` was set.
+  bool ok_due_ = false;      ///< Whether the running command ends with "ok".
+  bool resending_ = false;   ///< The Error line is out, the flush and the Resend are due.
+  Moment busy_at_{0};        ///< When to say "busy", while a command runs.
+  Moment report_at_{0};      ///< Next automatic report.
+  Moment report_period_{0};  ///< As it was when `report_at_` was set.
   std::int64_t lines_accepted_ = 0;
   std::int64_t resends_requested_ = 0;
 };

@@ -14,14 +14,20 @@ constexpr double kD = 114.0;
 constexpr double kSteps = 255;
 constexpr double kDerivativeMemory = 0.95;  ///< PID_K1.
 
-double seconds(Moment m) { return std::chrono::duration<double>(m).count(); }
+double seconds(Moment m) {
+  return std::chrono::duration<double>(m).count();
+}
 
 }  // namespace
 
-HeaterOptions nozzle_options() { return {}; }
+HeaterOptions nozzle_options() {
+  return {};
+}
 
 HeaterOptions bed_options() {
-  return {.rise_max = 133, .time_constant = 90, .target_max = 140,
+  return {.rise_max = 133,
+          .time_constant = 90,
+          .target_max = 140,
           .control = HeaterOptions::Control::kBangBang};
 }
 
@@ -29,7 +35,9 @@ void Heater::set_target(double celsius) {
   target_ = std::clamp(celsius, 0.0, options_.target_max);
 }
 
-int Heater::power() const { return static_cast<int>(share_ * kPowerMax); }
+int Heater::power() const {
+  return static_cast<int>(share_ * kPowerMax);
+}
 
 void Heater::shut_off() {
   target_ = 0;

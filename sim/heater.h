@@ -11,25 +11,26 @@ namespace slipstick {
 struct HeaterOptions {
   enum class Control : std::uint8_t { kPid, kBangBang };
 
-  double rise_max = 380;       ///< °C above the room that full power holds.
-  double time_constant = 95;   ///< Seconds in which a difference falls to 1/e.
-  double target_max = 260;     ///< °C: higher targets are cut down to it.
+  double rise_max = 380;      ///< °C above the room that full power holds.
+  double time_constant = 95;  ///< Seconds in which a difference falls to 1/e.
+  double target_max = 260;    ///< °C: higher targets are cut down to it.
   Control control = Control::kPid;
 };
 
-/// The hot end and the bed as measured on Marlin's own simulated board: 4 °C/s and 1.3 °C/s when cold,
-/// 190 °C held with about half the power.
+/// The hot end and the bed as measured on Marlin's own simulated board: 4 °C/s and 1.3 °C/s when
+/// cold, 190 °C held with about half the power.
 [[nodiscard]] HeaterOptions nozzle_options();
 [[nodiscard]] HeaterOptions bed_options();
 
-/// A heated thing of one heat capacity, losing heat to the room in proportion to how much hotter it is.
+/// A heated thing of one heat capacity, losing heat to the room in proportion to how much hotter it
+/// is.
 class Heater {
  public:
   static constexpr double kRoomCelsius = 22;
-  static constexpr Moment kControlPeriod{164'000};    ///< Marlin's PID_dT.
+  static constexpr Moment kControlPeriod{164'000};     ///< Marlin's PID_dT.
   static constexpr Moment kBedCheckPeriod{5'000'000};  ///< Its BED_CHECK_INTERVAL.
-  static constexpr double kPidRange = 10;              ///< °C around the target; beyond it all or nothing.
-  static constexpr int kPowerMax = 127;                ///< As "@:127" reports it.
+  static constexpr double kPidRange = 10;  ///< °C around the target; beyond it all or nothing.
+  static constexpr int kPowerMax = 127;    ///< As "@:127" reports it.
 
   explicit Heater(const HeaterOptions& options) : options_(options) {}
 
@@ -54,7 +55,7 @@ class Heater {
   HeaterOptions options_;
   double celsius_ = kRoomCelsius;
   double target_ = 0;
-  double share_ = 0;        ///< Of full power.
+  double share_ = 0;  ///< Of full power.
   double integral_ = 0;
   double derivative_ = 0;
   double last_celsius_ = kRoomCelsius;
@@ -62,7 +63,8 @@ class Heater {
   Moment next_control_{0};
 };
 
-/// Whether a temperature has settled: within 1 °C first, then ten seconds never off by more than 3 °C.
+/// Whether a temperature has settled: within 1 °C first, then ten seconds never off by more than 3
+/// °C.
 class Residency {
  public:
   static constexpr double kWindow = 1;

@@ -26,11 +26,14 @@ Box2 area_of(std::span<const ExtrudedSegment> beads, const Contours& contours) {
   return area;
 }
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
+std::size_t index(int i) {
+  return static_cast<std::size_t>(i);
+}
 
 /// What is wanted on one side of the contours, as pixels.
 struct Wanted {
-  Regions parts;   ///< Of islands or holes; one of them may be in several parts, but for that all is true.
+  Regions parts;  ///< Of islands or holes; one of them may be in several parts, but for that all is
+                  ///< true.
   Regions raster;  ///< The same pixels, put together without regard to what they belong to.
 };
 
@@ -111,7 +114,8 @@ std::vector<bool> is_met(const Regions& printed, const std::vector<Overlap>& met
 
 std::int64_t unmet_pixels(const Regions& parts, const std::vector<bool>& met) {
   std::int64_t pixels = 0;
-  for (const PixelRun& run : parts.runs()) pixels += met[index(run.region)] ? 0 : run.end - run.begin;
+  for (const PixelRun& run : parts.runs())
+    pixels += met[index(run.region)] ? 0 : run.end - run.begin;
   return pixels;
 }
 
@@ -167,18 +171,18 @@ LayerVerdict judge_layer(std::span<const ExtrudedSegment> beads, const Contours&
   const auto solid_pixels = static_cast<double>(solid.count());
   const auto outside_pixels = static_cast<double>(deposit.count_without(solid));
   const int island_count = count_islands(contours);
-  return {.components = island_count,
-          .holes = static_cast<int>(contours.size()) - island_count,
-          .components_wrong = count_cuts(material, met) + count_joints(material, met) +
-                              count_missing(material, Regions::of_set(deposit.grown())),
-          .holes_wrong = count_cuts(space, free_met) + count_joints(space, free_met) +
-                         count_missing(space, printed_free),
-          .solid_mm2 = solid_pixels * pixel_mm2,
-          .area_error = solid_pixels > 0 ? outside_pixels / solid_pixels : 0,
-          .void_mm2 =
-              static_cast<double>(unmet_pixels(printed_free, is_met(printed_free, free_met))) *
-              pixel_mm2,
-          .stray_mm2 = static_cast<double>(stray) * pixel_mm2};
+  return {
+      .components = island_count,
+      .holes = static_cast<int>(contours.size()) - island_count,
+      .components_wrong = count_cuts(material, met) + count_joints(material, met) +
+                          count_missing(material, Regions::of_set(deposit.grown())),
+      .holes_wrong = count_cuts(space, free_met) + count_joints(space, free_met) +
+                     count_missing(space, printed_free),
+      .solid_mm2 = solid_pixels * pixel_mm2,
+      .area_error = solid_pixels > 0 ? outside_pixels / solid_pixels : 0,
+      .void_mm2 = static_cast<double>(unmet_pixels(printed_free, is_met(printed_free, free_met))) *
+                  pixel_mm2,
+      .stray_mm2 = static_cast<double>(stray) * pixel_mm2};
 }
 
 }  // namespace slipstick

@@ -13,8 +13,8 @@ namespace {
 /// Marlin looks for a second N from the fifth character of an M110 line on.
 constexpr std::size_t kSecondNumberFrom = 4;
 
-/// The whole number that `text` begins with, as strtol gives it on a board with 32-bit longs: 0 where there
-/// is none.
+/// The whole number that `text` begins with, as strtol gives it on a board with 32-bit longs: 0
+/// where there is none.
 std::int64_t leading_integer(std::string_view text) {
   text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
   if (!text.empty() && text[0] == '+') text.remove_prefix(1);

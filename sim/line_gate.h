@@ -8,7 +8,7 @@ namespace slipstick {
 /// What becomes of a line that was received.
 enum class Verdict : std::uint8_t {
   kAccepted,
-  kDuplicate,     ///< Dropped without a word (new in Marlin 2.1.2).
+  kDuplicate,  ///< Dropped without a word (new in Marlin 2.1.2).
   kWrongNumber,
   kWrongChecksum,
   kNoChecksum,

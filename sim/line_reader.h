@@ -8,8 +8,8 @@ namespace slipstick {
 
 /// Bytes -> lines as Marlin's command reader cuts them.
 ///
-/// A comment and all beyond 95 bytes are thrown away, a backslash too, a backspace takes a byte back, and
-/// either line end closes a line unless nothing is in it.
+/// A comment and all beyond 95 bytes are thrown away, a backslash too, a backspace takes a byte
+/// back, and either line end closes a line unless nothing is in it.
 class LineReader {
  public:
   /// MAX_CMD_SIZE is 96 with the NUL.

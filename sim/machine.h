@@ -17,19 +17,19 @@ struct Machine {
   Planner::Sink move_sink;
   Heater nozzle{nozzle_options()};
   Heater bed{bed_options()};
-  int fan = 0;                  ///< 0 to 255.
+  int fan = 0;  ///< 0 to 255.
 
-  Axes position;                ///< Where the last command said to go, in its own coordinates.
-  Axes shift;                   ///< What G92 made of them: X, Y, Z of the machine less those of commands.
-  double filament = 0;          ///< E of the machine: all that was to be pushed, mm.
-  double feedrate = 25;         ///< mm/s; Marlin starts with F1500.
+  Axes position;         ///< Where the last command said to go, in its own coordinates.
+  Axes shift;            ///< What G92 made of them: X, Y, Z of the machine less those of commands.
+  double filament = 0;   ///< E of the machine: all that was to be pushed, mm.
+  double feedrate = 25;  ///< mm/s; Marlin starts with F1500.
   double feedrate_percent = 100;
   double flow_percent = 100;
-  bool relative = false;        ///< G91
-  bool relative_e = false;      ///< M83
-  bool homed = false;           ///< Soft endstops act from then on.
+  bool relative = false;    ///< G91
+  bool relative_e = false;  ///< M83
+  bool homed = false;       ///< Soft endstops act from then on.
   double extrude_celsius_min = 170;
-  bool halted = false;          ///< After kill(): only a reset helps.
+  bool halted = false;  ///< After kill(): only a reset helps.
 
   void advance(Moment now) {
     if (halted) return;

@@ -42,8 +42,8 @@ struct Interval {
   }
 };
 
-/// The part of the line at height `y` that is within `radius` of the segment. The capsule is convex, so
-/// that its two discs and the band between them make one interval.
+/// The part of the line at height `y` that is within `radius` of the segment. The capsule is
+/// convex, so that its two discs and the band between them make one interval.
 Interval capsule_at(double y, Vec2 a, Vec2 b, double radius) {
   Interval part;
   for (const Vec2 centre : {a, b}) {
@@ -56,8 +56,9 @@ Interval capsule_at(double y, Vec2 a, Vec2 b, double radius) {
   Interval band{std::min(a.x, b.x) - radius, std::max(a.x, b.x) + radius};
   const Vec2 middle = 0.5 * (a + b);
   const double dy = y - middle.y;
-  band.keep(d.x, d.y * dy - d.x * middle.x, d2 / 2);                        // Between the ends,
-  band.keep(-d.y, d.x * dy + d.y * middle.x, radius * std::sqrt(d2));  // and no farther to the side.
+  band.keep(d.x, d.y * dy - d.x * middle.x, d2 / 2);  // Between the ends,
+  band.keep(-d.y, d.x * dy + d.y * middle.x,
+            radius * std::sqrt(d2));  // and no farther to the side.
   if (!band.empty()) part.unite(band.low, band.high);
   return part;
 }
@@ -71,7 +72,8 @@ PixelFrame PixelFrame::over(const Box2& area, double size) {
   PixelFrame frame;
   frame.size = size;
   frame.low = {area.low.x - size, area.low.y - size};
-  frame.columns = static_cast<int>(std::min(kMost, std::ceil((area.high.x - area.low.x) / size) + 2));
+  frame.columns =
+      static_cast<int>(std::min(kMost, std::ceil((area.high.x - area.low.x) / size) + 2));
   frame.rows = static_cast<int>(std::min(kMost, std::ceil((area.high.y - area.low.y) / size) + 2));
   return frame;
 }
@@ -80,7 +82,9 @@ int PixelFrame::column_from(double x) const {
   return clamped_ceil((x - low.x) / size - 0.5, columns);
 }
 
-int PixelFrame::row_from(double y) const { return clamped_ceil((y - low.y) / size - 0.5, rows); }
+int PixelFrame::row_from(double y) const {
+  return clamped_ceil((y - low.y) / size - 0.5, rows);
+}
 
 PixelImage::PixelImage(const PixelFrame& frame)
     : frame_(frame),

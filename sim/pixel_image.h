@@ -9,8 +9,8 @@
 
 namespace slipstick {
 
-/// Where the judge's pixels lie: squares of side `size`, column 0 and row 0 at `low`. Its own raster, on
-/// purpose not the lattice that the slicer samples on.
+/// Where the judge's pixels lie: squares of side `size`, column 0 and row 0 at `low`. Its own
+/// raster, on purpose not the lattice that the slicer samples on.
 struct PixelFrame {
   Vec2 low;
   double size = 0.05;  ///< mm.
@@ -41,8 +41,8 @@ class PixelImage {
   void set(int row, int begin, int end);
   void clear(int row, int begin, int end);
 
-  /// Sets all pixels whose centre is no farther than width/2 from the segment, or than half a pixel's
-  /// diagonal if that is more: a bead thinner than a pixel still hangs together.
+  /// Sets all pixels whose centre is no farther than width/2 from the segment, or than half a
+  /// pixel's diagonal if that is more: a bead thinner than a pixel still hangs together.
   void draw_capsule(Vec2 a, Vec2 b, double width);
   /// With every pixel, its eight neighbours.
   [[nodiscard]] PixelImage grown() const;

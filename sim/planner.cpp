@@ -10,8 +10,12 @@ namespace slipstick {
 
 namespace {
 
-double to_seconds(Moment m) { return std::chrono::duration<double>(m).count(); }
-Moment rounded_up(double seconds) { return Moment(static_cast<Moment::rep>(std::ceil(seconds * 1e6))); }
+double to_seconds(Moment m) {
+  return std::chrono::duration<double>(m).count();
+}
+Moment rounded_up(double seconds) {
+  return Moment(static_cast<Moment::rep>(std::ceil(seconds * 1e6)));
+}
 
 /// Ends are doubles, events whole microseconds: an end this close to now has come.
 constexpr double kSlack = 1e-9;
@@ -41,9 +45,9 @@ double Planner::junction2(const Block& before, const Block& after,
   if (straightness < -kStraight) return kSlowest * kSlowest;
   const Axes turn = after.direction - before.direction;
   const double turn_length = length(turn);
-  const double along =
-      turn_length > 0 ? limited(after.acceleration, (1 / turn_length) * turn, limits.acceleration_max)
-                      : after.acceleration;
+  const double along = turn_length > 0 ? limited(after.acceleration, (1 / turn_length) * turn,
+                                                 limits.acceleration_max)
+                                       : after.acceleration;
   // Half angle identities, with θ the angle inside the corner: cos θ = -straightness.
   const double sine = std::sqrt((1 + straightness) / 2);
   double speed2 = along * limits.junction_deviation * sine / (1 - sine);
@@ -70,8 +74,7 @@ Planner::Block Planner::planned(const Axes& target, double speed,
     b.cruise = b.length / (seconds + 2 * (limits.segment_seconds_min - seconds) / waiting);
   }
   b.cruise = limited(b.cruise, b.direction, limits.speed_max);
-  b.acceleration =
-      limited(base_acceleration(delta, limits), b.direction, limits.acceleration_max);
+  b.acceleration = limited(base_acceleration(delta, limits), b.direction, limits.acceleration_max);
   if (waiting > 0) b.entry2_max = junction2(block(count_ - 1), b, limits);
   b.move = {target_, target, b.cruise, 0, 0};
   return b;
@@ -89,8 +92,8 @@ void Planner::add(const Axes& target, double speed, const MotionLimits& limits, 
   look_ahead();
 }
 
-/// Backwards so that each move can slow down for the next, forwards so that each can speed up to it. The
-/// move being made, and the speed at which it hands over, stay as they are.
+/// Backwards so that each move can slow down for the next, forwards so that each can speed up to
+/// it. The move being made, and the speed at which it hands over, stay as they are.
 void Planner::look_ahead() {
   const int fixed = moving_ ? 1 : 0;
   double next2 = 0;

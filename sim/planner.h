@@ -11,7 +11,8 @@
 
 namespace slipstick {
 
-/// How fast the machine may move: what M201, M203, M204 and M205 set. Marlin's default configuration.
+/// How fast the machine may move: what M201, M203, M204 and M205 set. Marlin's default
+/// configuration.
 struct MotionLimits {
   Axes steps_per_mm{80, 80, 400, 500};
   Axes speed_max{300, 300, 5, 25};                ///< mm/s.
@@ -19,16 +20,16 @@ struct MotionLimits {
   double print_acceleration = 3000;
   double retract_acceleration = 3000;
   double travel_acceleration = 3000;
-  double junction_deviation = 0.013;      ///< mm.
-  double segment_seconds_min = 0.020;     ///< Shorter moves are stretched while few are queued.
+  double junction_deviation = 0.013;   ///< mm.
+  double segment_seconds_min = 0.020;  ///< Shorter moves are stretched while few are queued.
 };
 
 /// A straight move that the machine has made.
 struct ExecutedMove {
   Axes from;
   Axes to;
-  double speed = 0;           ///< mm/s that was asked for and allowed.
-  double start_seconds = 0;   ///< Since power on.
+  double speed = 0;          ///< mm/s that was asked for and allowed.
+  double start_seconds = 0;  ///< Since power on.
   double end_seconds = 0;
 
   /// mm of filament pushed; negative when retracting.
@@ -48,9 +49,9 @@ struct MotionStatistics {
 /// Marlin's motion planner: a ring of 16 moves of which 15 can be used, trapezoids, look-ahead.
 ///
 /// The speed at a corner comes from junction deviation; a backward and a forward pass then join the
-/// moves that have not begun, so that the machine can always stop at the end of the last one. A move
-/// that follows a standstill waits 100 ms for company, or until three are queued. As in Marlin, moves of
-/// less than 6 steps are kept back and made together with the next one.
+/// moves that have not begun, so that the machine can always stop at the end of the last one. A
+/// move that follows a standstill waits 100 ms for company, or until three are queued. As in
+/// Marlin, moves of less than 6 steps are kept back and made together with the next one.
 class Planner {
  public:
   static constexpr int kBlocks = 16;
@@ -82,7 +83,8 @@ class Planner {
   [[nodiscard]] const Axes& target() const { return target_; }
   /// Where the machine is at `now`.
   [[nodiscard]] Axes position(Moment now) const;
-  /// Says that the last planned move ends at `position`; moves already queued keep their own numbers.
+  /// Says that the last planned move ends at `position`; moves already queued keep their own
+  /// numbers.
   void set_position(const Axes& position) { target_ = position; }
   /// Says that the firmware itself lets the machine stand, so that this is no starvation.
   void rest() { waiting_since_.reset(); }
@@ -92,11 +94,11 @@ class Planner {
  private:
   struct Block {
     ExecutedMove move;
-    Axes direction;      ///< Per mm of path.
+    Axes direction;  ///< Per mm of path.
     double length = 0;
     double cruise = 0;
     double acceleration = 0;
-    double entry2 = 0;   ///< Squared speeds, as all in look-ahead.
+    double entry2 = 0;  ///< Squared speeds, as all in look-ahead.
     double entry2_max = 0;
   };
 
@@ -117,10 +119,10 @@ class Planner {
   std::array<Block, kBlocks> blocks_;
   int first_ = 0;
   int count_ = 0;
-  bool moving_ = false;      ///< Whether block 0 has begun.
-  Trapezoid profile_;        ///< Of block 0 while moving.
-  double held_back_ = 0;     ///< When the first move after a standstill was queued.
-  double company_at_ = 0;    ///< When the third one was.
+  bool moving_ = false;    ///< Whether block 0 has begun.
+  Trapezoid profile_;      ///< Of block 0 while moving.
+  double held_back_ = 0;   ///< When the first move after a standstill was queued.
+  double company_at_ = 0;  ///< When the third one was.
   Axes target_;
   std::optional<double> waiting_since_;  ///< Since when the machine has stood without a reason.
   MotionStatistics statistics_;

@@ -10,9 +10,9 @@ namespace slipstick {
 
 /// The finding on a print so far.
 struct PrintVerdict {
-  int layers = 0;              ///< Judged.
-  int layers_unknown = 0;      ///< Printed where there are no contours to judge by.
-  int components_wrong = 0;    ///< Sums over the layers judged.
+  int layers = 0;            ///< Judged.
+  int layers_unknown = 0;    ///< Printed where there are no contours to judge by.
+  int components_wrong = 0;  ///< Sums over the layers judged.
   int holes_wrong = 0;
   double area_error_max = 0;   ///< Of one layer.
   double area_error_mean = 0;  ///< Over the layers judged.
@@ -22,7 +22,8 @@ struct PrintVerdict {
 /// Judges a print layer by layer while it is made; keeps the beads of one layer.
 class PrintJudge {
  public:
-  /// The contours of the layer whose top is at `z` and which is `height` high, or nothing if there is none.
+  /// The contours of the layer whose top is at `z` and which is `height` high, or nothing if there
+  /// is none.
   using ContoursOf = std::function<std::optional<Contours>(double z, double height)>;
 
   explicit PrintJudge(ContoursOf contours_of, const JudgeOptions& options = {})

@@ -22,13 +22,15 @@ void Printer::receive(std::string_view bytes, Moment at) {
   to_board_.push(bytes, std::max(at, now_));
 }
 
-/// A UART pushes what arrives into the ring or loses it; USB waits for room.
+/// A UART pushes what arrives into the ring or loses it; USB waits for room. While the board boots,
+/// all is lost.
 bool Printer::deliver() {
   RxRing& ring = firmware_->ring();
   std::array<char, RxRing::kSize> buffer{};
-  const std::size_t most = to_board_.paced() ? buffer.size() : ring.room();
+  const bool waits = firmware_->booted() && !to_board_.paced();
+  const std::size_t most = waits ? ring.room() : buffer.size();
   const std::size_t count = to_board_.take(std::span(buffer).first(most), now_);
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; firmware_->booted() && i < count; ++i) {
     if (!ring.push(buffer[i])) ++bytes_overrun_;
   }
   return count > 0;
@@ -43,12 +45,14 @@ bool Printer::think() {
   return true;
 }
 
-/// All that can happen at this moment. Ends because every step consumes bytes, a command or a due time.
+/// All that can happen at this moment. Ends because every step consumes bytes, a command or a due
+/// time.
 void Printer::settle() {
   machine_->advance(now_);
   bool active = true;
   while (active) {
-    active = deliver();
+    active = false;
+    while (deliver()) active = true;
     active = think() || active;
   }
 }

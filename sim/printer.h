@@ -54,7 +54,8 @@ class Printer {
   /// When the first byte not yet taken reaches the host.
   [[nodiscard]] std::optional<Moment> output_at() const { return to_host_.next_at(); }
 
-  /// Presses the reset button: heaters lose their targets, motion stops where it is, "start" comes again.
+  /// Presses the reset button: heaters lose their targets, motion stops where it is, "start" comes
+  /// again.
   void reset();
 
   [[nodiscard]] const Machine& machine() const { return *machine_; }

@@ -20,13 +20,14 @@ struct PtyServerOptions {
 /// A printer in real time for any host program: behind a pseudo-terminal, a TCP port or both.
 ///
 /// Both lead to the one serial port of the board: it hears whoever speaks and all hear it. A TCP
-/// connection resets the board, as opening the port of an Arduino does; a newer one replaces an older one.
-/// What the board says while nobody listens is lost once the terminal's buffer is full.
+/// connection resets the board, as opening the port of an Arduino does; a newer one replaces an
+/// older one. What the board says while nobody listens is lost once the terminal's buffer is full.
 class PtyServer {
  public:
   /// Opens what `options` ask for. The link to the terminal goes away with the server.
   ///
-  /// \return kInput if nothing is asked for; kUnavailable if the link's path exists and is not such a
+  /// \return kInput if nothing is asked for; kUnavailable if the link's path exists and is not such
+  /// a
   ///   link, the port is taken or the system has no terminal left.
   [[nodiscard]] static Result<PtyServer> open(const PtyServerOptions& options, Printer printer);
 
@@ -55,12 +56,12 @@ class PtyServer {
   void speak();
 
   Printer printer_;
-  UniqueFd terminal_;        ///< The master side.
-  UniqueFd terminal_held_;   ///< The other side, held open so that the terminal outlives its users.
+  UniqueFd terminal_;       ///< The master side.
+  UniqueFd terminal_held_;  ///< The other side, held open so that the terminal outlives its users.
   UniqueFd listener_;
   UniqueFd client_;
   std::string device_;
-  std::string link_;         ///< Removed at the end if it still leads to `device_`.
+  std::string link_;  ///< Removed at the end if it still leads to `device_`.
   int tcp_port_ = 0;
 };
 

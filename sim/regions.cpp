@@ -13,7 +13,8 @@ constexpr int kWordBits = 64;
 
 /// Calls visit(begin, end) for each run of set pixels of a row of `columns`, or of clear ones.
 template <typename Visit>
-void for_runs(std::span<const std::uint64_t> words, int columns, std::uint64_t invert, Visit visit) {
+void for_runs(std::span<const std::uint64_t> words, int columns, std::uint64_t invert,
+              Visit visit) {
   int begin = -1;  // Of the run we are in; -1 between runs.
   for (std::size_t w = 0; w < words.size(); ++w) {
     std::uint64_t word = words[w] ^ invert;
@@ -81,8 +82,8 @@ std::vector<Crossing> crossings_of(const PixelFrame& frame,
   return crossings;
 }
 
-/// The runs of one side. Along a row loops open and close like brackets; the innermost open one says where
-/// we are, and how many are open says on which side.
+/// The runs of one side. Along a row loops open and close like brackets; the innermost open one
+/// says where we are, and how many are open says on which side.
 std::vector<PixelRun> contour_runs(const PixelFrame& frame,
                                    const std::vector<std::vector<Vec2>>& loops, Side side) {
   const std::vector<Crossing> crossings = crossings_of(frame, loops);
@@ -148,7 +149,8 @@ void Regions::connect(int reach) {
            (runs_[above].row == run.row - 1 && runs_[above].end + reach <= run.begin)) {
       ++above;
     }
-    for (std::size_t k = above; runs_[k].row == run.row - 1 && runs_[k].begin < run.end + reach; ++k) {
+    for (std::size_t k = above; runs_[k].row == run.row - 1 && runs_[k].begin < run.end + reach;
+         ++k) {
       if (runs_[k].label != run.label) continue;
       const int upper = root_of(parents, static_cast<int>(k));
       parents[static_cast<std::size_t>(root_of(parents, static_cast<int>(i)))] = upper;
@@ -183,8 +185,9 @@ std::vector<Overlap> overlaps(const Regions& a, const Regions& b) {
       ++k;
     }
   }
-  std::sort(pairs.begin(), pairs.end(),
-            [](const Overlap& x, const Overlap& y) { return std::tie(x.a, x.b) < std::tie(y.a, y.b); });
+  std::sort(pairs.begin(), pairs.end(), [](const Overlap& x, const Overlap& y) {
+    return std::tie(x.a, x.b) < std::tie(y.a, y.b);
+  });
   std::vector<Overlap> merged;
   for (const Overlap& pair : pairs) {
     if (!merged.empty() && merged.back().a == pair.a && merged.back().b == pair.b) {

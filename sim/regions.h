@@ -25,13 +25,13 @@ class Regions {
  public:
   /// The set pixels; pixels that touch at a corner are together (8-connected).
   [[nodiscard]] static Regions of_set(const PixelImage& image);
-  /// The others; only pixels that share a side are together (4-connected). What lies beyond the frame is
-  /// not looked at: a frame has an empty ring.
+  /// The others; only pixels that share a side are together (4-connected). What lies beyond the
+  /// frame is not looked at: a frame has an empty ring.
   [[nodiscard]] static Regions of_free(const PixelImage& image);
-  /// The pixels on one side of `loops`, which are simple, disjoint and nested. A label is an island or a
-  /// hole, as the loops themselves say: l + 1 inside loop l and outside the loops in it, 0 the outside. So
-  /// two holes stay two and an island stays one even where a gap or a neck is too narrow for a pixel;
-  /// solid parts hang together at corners too, free ones by sides only.
+  /// The pixels on one side of `loops`, which are simple, disjoint and nested. A label is an island
+  /// or a hole, as the loops themselves say: l + 1 inside loop l and outside the loops in it, 0 the
+  /// outside. So two holes stay two and an island stays one even where a gap or a neck is too
+  /// narrow for a pixel; solid parts hang together at corners too, free ones by sides only.
   [[nodiscard]] static Regions of_contours(const PixelFrame& frame,
                                            const std::vector<std::vector<Vec2>>& loops, Side side);
 

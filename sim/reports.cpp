@@ -12,13 +12,19 @@ std::string axes_line(std::string_view code, const Axes& a) {
   return fmt::format("  {} X{:.2f} Y{:.2f} Z{:.2f} E{:.2f}\n", code, a.x, a.y, a.z, a.e);
 }
 
-long steps(double mm, double per_mm) { return std::lround(mm * per_mm); }
+long steps(double mm, double per_mm) {
+  return std::lround(mm * per_mm);
+}
 
 }  // namespace
 
-std::string steps_line(const MotionLimits& limits) { return axes_line("M92", limits.steps_per_mm); }
+std::string steps_line(const MotionLimits& limits) {
+  return axes_line("M92", limits.steps_per_mm);
+}
 
-std::string speed_line(const MotionLimits& limits) { return axes_line("M203", limits.speed_max); }
+std::string speed_line(const MotionLimits& limits) {
+  return axes_line("M203", limits.speed_max);
+}
 
 std::string acceleration_max_line(const MotionLimits& limits) {
   return axes_line("M201", limits.acceleration_max);
@@ -54,16 +60,21 @@ std::string settings_report(const Machine& machine) {
          "echo:; Filament settings (Disabled):\n"
          "echo:  M200 S0 D1.75\n"
          "echo:; Steps per unit:\n"
-         "echo:" + steps_line(limits) +
+         "echo:" +
+         steps_line(limits) +
          "echo:; Max feedrates (units/s):\n"
-         "echo:" + speed_line(limits) +
+         "echo:" +
+         speed_line(limits) +
          "echo:; Max Acceleration (units/s2):\n"
-         "echo:" + acceleration_max_line(limits) +
+         "echo:" +
+         acceleration_max_line(limits) +
          "echo:; Acceleration (units/s2) (P<print-accel> R<retract-accel> T<travel-accel>):\n"
-         "echo:" + acceleration_line(limits) +
+         "echo:" +
+         acceleration_line(limits) +
          "echo:; Advanced (B<min_segment_time_us> S<min_feedrate> T<min_travel_feedrate> "
          "J<junc_dev>):\n"
-         "echo:" + advanced_line(limits) +
+         "echo:" +
+         advanced_line(limits) +
          "echo:; Home offset:\n"
          "echo:  M206 X0.00 Y0.00 Z0.00\n"
          "echo:; Hotend PID:\n"
@@ -76,15 +87,41 @@ std::string capability_report() {
       "SOURCE_CODE_URL:github.com/MarlinFirmware/Marlin PROTOCOL_VERSION:1.0 "
       "MACHINE_TYPE:SimRap 1.4 EXTRUDER_COUNT:1 UUID:cede2a2f-41a2-4748-9b12-c55c62f367ff\n";
   // ARCS is 0: this machine is one that was built without them.
-  for (const char* capability :
-       {"SERIAL_XON_XOFF:0", "BINARY_FILE_TRANSFER:0", "EEPROM:0", "VOLUMETRIC:1",
-        "AUTOREPORT_POS:0", "AUTOREPORT_TEMP:1", "PROGRESS:0", "PRINT_JOB:1", "AUTOLEVEL:0",
-        "RUNOUT:0", "Z_PROBE:0", "LEVELING_DATA:0", "BUILD_PERCENT:0", "SOFTWARE_POWER:0",
-        "TOGGLE_LIGHTS:0", "CASE_LIGHT_BRIGHTNESS:0", "EMERGENCY_PARSER:0",
-        "HOST_ACTION_COMMANDS:0", "PROMPT_SUPPORT:0", "SDCARD:0", "REPEAT:0", "SD_WRITE:0",
-        "AUTOREPORT_SD_STATUS:0", "LONG_FILENAME:0", "LFN_WRITE:0", "CUSTOM_FIRMWARE_UPLOAD:0",
-        "EXTENDED_M20:0", "THERMAL_PROTECTION:1", "MOTION_MODES:0", "ARCS:0", "BABYSTEPPING:0",
-        "CHAMBER_TEMPERATURE:0", "COOLER_TEMPERATURE:0", "MEATPACK:0", "CONFIG_EXPORT:0"}) {
+  for (const char* capability : {"SERIAL_XON_XOFF:0",
+                                 "BINARY_FILE_TRANSFER:0",
+                                 "EEPROM:0",
+                                 "VOLUMETRIC:1",
+                                 "AUTOREPORT_POS:0",
+                                 "AUTOREPORT_TEMP:1",
+                                 "PROGRESS:0",
+                                 "PRINT_JOB:1",
+                                 "AUTOLEVEL:0",
+                                 "RUNOUT:0",
+                                 "Z_PROBE:0",
+                                 "LEVELING_DATA:0",
+                                 "BUILD_PERCENT:0",
+                                 "SOFTWARE_POWER:0",
+                                 "TOGGLE_LIGHTS:0",
+                                 "CASE_LIGHT_BRIGHTNESS:0",
+                                 "EMERGENCY_PARSER:0",
+                                 "HOST_ACTION_COMMANDS:0",
+                                 "PROMPT_SUPPORT:0",
+                                 "SDCARD:0",
+                                 "REPEAT:0",
+                                 "SD_WRITE:0",
+                                 "AUTOREPORT_SD_STATUS:0",
+                                 "LONG_FILENAME:0",
+                                 "LFN_WRITE:0",
+                                 "CUSTOM_FIRMWARE_UPLOAD:0",
+                                 "EXTENDED_M20:0",
+                                 "THERMAL_PROTECTION:1",
+                                 "MOTION_MODES:0",
+                                 "ARCS:0",
+                                 "BABYSTEPPING:0",
+                                 "CHAMBER_TEMPERATURE:0",
+                                 "COOLER_TEMPERATURE:0",
+                                 "MEATPACK:0",
+                                 "CONFIG_EXPORT:0"}) {
     text += fmt::format("Cap:{}\n", capability);
   }
   return text;

@@ -8,7 +8,8 @@
 namespace slipstick {
 
 /// \file
-/// What Marlin 2.1.2 says, to the byte. Whole lines with their line ends unless a name says otherwise.
+/// What Marlin 2.1.2 says, to the byte. Whole lines with their line ends unless a name says
+/// otherwise.
 
 [[nodiscard]] std::string banner_report(const Machine& machine);
 [[nodiscard]] std::string capability_report();
@@ -18,7 +19,8 @@ namespace slipstick {
 /// " T:… B:… @:… B@:…", no line end: M105 puts "ok" before it, waits put " W:…" behind it.
 [[nodiscard]] std::string temperature_text(const Machine& machine);
 
-// One line each, as M503 shows it after its "echo:" and as the command without words shows it alone.
+// One line each, as M503 shows it after its "echo:" and as the command without words shows it
+// alone.
 [[nodiscard]] std::string steps_line(const MotionLimits& limits);
 [[nodiscard]] std::string speed_line(const MotionLimits& limits);
 [[nodiscard]] std::string acceleration_max_line(const MotionLimits& limits);

@@ -17,8 +17,7 @@ constexpr double kSeedMax = 9e15;
 
 tl::unexpected<Error> bad_value(std::string_view name, std::string_view value,
                                 std::string_view wanted) {
-  return fail(ErrorCode::kInput,
-              fmt::format("sim: option {}={}: give {}", name, value, wanted));
+  return fail(ErrorCode::kInput, fmt::format("sim: option {}={}: give {}", name, value, wanted));
 }
 
 /// The number `text` if it is within the limits.
@@ -28,7 +27,9 @@ std::optional<double> number_in(const std::string& text, double low, double high
   return value;
 }
 
-bool is_whole(double value) { return value == std::floor(value); }
+bool is_whole(double value) {
+  return value == std::floor(value);
+}
 
 Result<void> apply(SimOptions& options, const std::string& name, const std::string& value) {
   if (name == "baud") {
@@ -49,14 +50,16 @@ Result<void> apply(SimOptions& options, const std::string& name, const std::stri
   } else if (name == "firmware") {
     if (value != "marlin-2.1.2") return bad_value(name, value, "marlin-2.1.2, the only one yet");
   } else {
-    return fail(ErrorCode::kInput,
-                fmt::format("sim: no option {}: there are baud, corrupt, firmware, realtime, seed",
-                            name));
+    return fail(
+        ErrorCode::kInput,
+        fmt::format("sim: no option {}: there are baud, corrupt, firmware, realtime, seed", name));
   }
   return {};
 }
 
-tl::unexpected<Error> cancelled() { return fail(ErrorCode::kCancelled, "sim: was shut down"); }
+tl::unexpected<Error> cancelled() {
+  return fail(ErrorCode::kCancelled, "sim: was shut down");
+}
 
 }  // namespace
 

@@ -24,11 +24,11 @@ struct SimOptions {
 /// \return kInput for an option or a value that does not exist, with the ones that do.
 [[nodiscard]] Result<SimOptions> sim_options(const std::map<std::string, std::string>& options);
 
-/// The embedded printer as a transport, in virtual time: waiting for a byte makes time pass, computing does
-/// not.
+/// The embedded printer as a transport, in virtual time: waiting for a byte makes time pass,
+/// computing does not.
 ///
-/// Like a serial port it takes up to 4 kB that the board has not read yet; a write beyond that waits.
-/// Threads as in `Transport`.
+/// Like a serial port it takes up to 4 kB that the board has not read yet; a write beyond that
+/// waits. Threads as in `Transport`.
 class SimTransport final : public Transport {
  public:
   static constexpr std::size_t kTtyBuffer = 4096;

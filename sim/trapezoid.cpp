@@ -7,11 +7,20 @@
 
 namespace slipstick {
 
+namespace {
+
+// What rounding may add to a difference of squared speeds.
+constexpr double kRounding = 1 + 1e-9;
+constexpr double kLeast2 = 1e-9;
+
+}  // namespace
+
 Trapezoid::Trapezoid(const Shape& shape) : shape_(shape) {
   SLIPSTICK_CHECK(shape.length > 0 && shape.cruise > 0 && shape.acceleration > 0);
   const double a = shape.acceleration;
   const double entry2 = shape.entry * shape.entry;
   const double exit2 = shape.exit * shape.exit;
+  SLIPSTICK_CHECK(std::abs(exit2 - entry2) <= 2 * a * shape.length * kRounding + kLeast2);
   // Where both ramps meet: peak² - entry² + peak² - exit² = 2·a·length.
   const double meet2 = a * shape.length + (entry2 + exit2) / 2;
   peak_ = meet2 < shape.cruise * shape.cruise ? std::sqrt(meet2) : shape.cruise;

@@ -8,16 +8,16 @@ namespace slipstick {
 class Trapezoid {
  public:
   struct Shape {
-    double length = 0;        ///< mm.
-    double entry = 0;         ///< mm/s, this and the next two.
+    double length = 0;  ///< mm.
+    double entry = 0;   ///< mm/s, this and the next two.
     double cruise = 0;
     double exit = 0;
     double acceleration = 0;  ///< mm/s².
   };
 
   Trapezoid() = default;
-  /// \pre Length, cruise and acceleration > 0; entry and exit in [0, cruise] and within reach of each
-  /// other on `length`.
+  /// \pre Length, cruise and acceleration > 0; entry and exit in [0, cruise] and within reach of
+  /// each other on `length`.
   explicit Trapezoid(const Shape& shape);
 
   [[nodiscard]] double seconds() const { return up_seconds_ + flat_seconds_ + down_seconds_; }

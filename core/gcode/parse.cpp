@@ -8,9 +8,15 @@ namespace {
 
 constexpr int kCodeMax = 1'000'000'000;
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_name(char c) { return c >= 'A' && c <= 'Z'; }
-bool is_numeral(char c) { return is_digit(c) || c == '.' || c == '-' || c == '+'; }
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+bool is_name(char c) {
+  return c >= 'A' && c <= 'Z';
+}
+bool is_numeral(char c) {
+  return is_digit(c) || c == '.' || c == '-' || c == '+';
+}
 
 std::string_view without_leading_blanks(std::string_view text) {
   const std::size_t start = text.find_first_not_of(' ');
@@ -32,8 +38,8 @@ std::string_view without_line_number(std::string_view text) {
 std::optional<double> leading_number(std::string_view text) {
   if (!text.empty() && text[0] == '+') text.remove_prefix(1);
   double value = 0;
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), value,
-                                    std::chars_format::fixed);
+  const auto read =
+      std::from_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed);
   const bool number = read.ec == std::errc() && is_numeral(*(read.ptr - 1));  // Not "inf".
   return number ? std::optional(value) : std::nullopt;
 }

@@ -23,7 +23,8 @@ class GcodeCommand {
   /// All that stands behind the command, as it was written: the message of M117.
   [[nodiscard]] std::string_view text() const { return text_; }
 
-  /// Whether word `name` ('A' to 'Z') is there, with or without a number. The last one of a name counts.
+  /// Whether word `name` ('A' to 'Z') is there, with or without a number. The last one of a name
+  /// counts.
   [[nodiscard]] bool has(char name) const { return (seen_ & bit(name)) != 0; }
   /// The number of word `name`, or nothing.
   [[nodiscard]] std::optional<double> value(char name) const {
@@ -43,10 +44,12 @@ class GcodeCommand {
   std::array<double, 26> values_;  ///< Where `valued_` has a bit.
 };
 
-/// `line` without its comment, leading blanks, line number and checksum: "N5 G1 X1*33 ; a" -> "G1 X1".
+/// `line` without its comment, leading blanks, line number and checksum: "N5 G1 X1*33 ; a" -> "G1
+/// X1".
 [[nodiscard]] std::string_view bare_command(std::string_view line);
 
-/// The command of `line`; nothing for a blank line, a comment or what is not G, M or T with a number.
+/// The command of `line`; nothing for a blank line, a comment or what is not G, M or T with a
+/// number.
 ///
 /// Upper-case letters only, words may touch each other (G1X2Y3), an E never begins an exponent.
 /// \pre `line` holds no line end.

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <string>
 
+#include "core/base/rng.h"
 #include "tests/sim/dialogue.h"
 
 using namespace slipstick;
@@ -162,7 +163,8 @@ TEST_CASE("Over USB nothing is lost: the board lets the host wait") {
   host.say("G4 P500", Moment(10'000));
 
   std::string heard;
-  for (int i = 0; i < 30; ++i) heard += host.send("M117 abcdefghijklmnopqrstuvwxyz\n", Moment(1'000));
+  for (int i = 0; i < 30; ++i)
+    heard += host.send("M117 abcdefghijklmnopqrstuvwxyz\n", Moment(1'000));
   heard += host.listen(kSecond);
 
   std::string oks;
@@ -225,8 +227,7 @@ TEST_CASE("After a reset the board starts anew and counts lines from 1") {
 TEST_CASE("M155 reports by itself, with a blank where the ok was") {
   Dialogue host;
 
-  CHECK(host.say("M155 S1", Moment(2'500'000)) ==
-        "ok\n " + kTemperatures + " " + kTemperatures);
+  CHECK(host.say("M155 S1", Moment(2'500'000)) == "ok\n " + kTemperatures + " " + kTemperatures);
   CHECK(host.say("M155 S0", 3 * kSecond) == "ok\n");
 }
 
@@ -242,6 +243,34 @@ TEST_CASE("G90 and G91 speak for E too, the last of G90, G91, M82 and M83 counts
   host.say("G1 E5");
 
   CHECK(host.say("M114").find(" E:5.00 ") != std::string::npos);
+}
+
+TEST_CASE("What is sent while the board boots is lost") {
+  Printer printer({});
+  printer.receive(std::string(60, 'x') + "\n" + std::string(90, 'y') + "\nM117\n", Moment(0));
+
+  printer.advance(kSecond);
+
+  std::array<char, 4096> buffer{};
+  const std::string heard(buffer.data(), printer.take(buffer));
+  CHECK(heard.ends_with("D114.00\n"));
+  CHECK(printer.unread() == 0);
+}
+
+TEST_CASE("Any bytes may come: the board answers and lives") {
+  Rng rng(11);
+  Dialogue host;
+  for (int round = 0; round < 3'000; ++round) {
+    std::string line = rng.below(2) != 0 ? "G1 X" : "M20";
+    for (std::uint64_t i = rng.below(60); i > 0; --i) {
+      line += "GMTNXYZEFSRPJB0123456789.-* ;\n"[rng.below(30)];
+    }
+    host.say(line, Moment(1'000));
+    host.printer().reset();
+    host.listen(kSecond);
+  }
+
+  CHECK(host.say("M117") == "ok\n");
 }
 
 TEST_CASE("The same seed gives the same bytes, another seed others") {

@@ -66,8 +66,9 @@ TEST_CASE("Straight on, two moves take as long as one") {
 }
 
 TEST_CASE("A right angle is taken at the speed that junction deviation gives") {
-  // cos θ = 0, s = sin 45°. The turn points along (-1, 1)/√2, so that 3000 mm/s² an axis are 3000·√2 along
-  // it, but no more than the move's own 3000. v² = 3000 · 0.013 · s / (1 - s) = 39 · 2.41421 = 94.154.
+  // cos θ = 0, s = sin 45°. The turn points along (-1, 1)/√2, so that 3000 mm/s² an axis are
+  // 3000·√2 along it, but no more than the move's own 3000. v² = 3000 · 0.013 · s / (1 - s) = 39
+  // · 2.41421 = 94.154.
   Bench bench;
   bench.add({30, 0, 0, 0}, 60);
   bench.add({30, 30, 0, 0}, 60);

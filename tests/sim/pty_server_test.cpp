@@ -121,8 +121,8 @@ TEST_CASE("A path that is something else is left alone") {
   const Folder folder;
   std::filesystem::create_directory(folder.file("printer"));
 
-  const auto server = PtyServer::open({.pty_path = folder.file("printer"), .tcp_port = std::nullopt},
-                                      Printer({}));
+  const auto server =
+      PtyServer::open({.pty_path = folder.file("printer"), .tcp_port = std::nullopt}, Printer({}));
 
   REQUIRE_FALSE(server);
   CHECK(server.error().code == ErrorCode::kUnavailable);

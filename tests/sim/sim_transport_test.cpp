@@ -1,8 +1,9 @@
 #include "sim/sim_transport.h"
 
-#include <catch2/catch.hpp>
 #include <array>
+#include <catch2/catch.hpp>
 #include <string>
+#include <thread>
 
 using namespace slipstick;
 
@@ -25,8 +26,11 @@ std::string read_until(SimTransport& transport, std::string_view end) {
 }  // namespace
 
 TEST_CASE("The options of an address are read") {
-  const auto options = sim_options({{"seed", "7"}, {"corrupt", "0.002"}, {"baud", "250000"},
-                                    {"realtime", "1"}, {"firmware", "marlin-2.1.2"}});
+  const auto options = sim_options({{"seed", "7"},
+                                    {"corrupt", "0.002"},
+                                    {"baud", "250000"},
+                                    {"realtime", "1"},
+                                    {"firmware", "marlin-2.1.2"}});
 
   REQUIRE(options);
   CHECK(options->printer.seed == 7);
@@ -103,6 +107,23 @@ TEST_CASE("After shutting down nothing goes in or out") {
 
   CHECK(transport.read_some(buffer, kPatience).error().code == ErrorCode::kCancelled);
   CHECK(transport.write_all("x", kPatience).error().code == ErrorCode::kCancelled);
+}
+
+TEST_CASE("Shutting down wakes a reader in real time") {
+  SimTransport transport({.printer = {}, .realtime = true});
+  std::thread reader([&] {
+    std::array<char, 4096> buffer{};
+    while (true) {
+      const auto count = transport.read_some(buffer, std::chrono::hours(1));
+      if (count) continue;
+      CHECK(count.error().code == ErrorCode::kCancelled);
+      return;
+    }
+  });
+
+  transport.shut_down();
+
+  reader.join();
 }
 
 TEST_CASE("Running down lets the machine finish its moves") {
