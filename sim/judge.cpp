@@ -96,13 +96,37 @@ int count_joints(const Wanted& wanted, const std::vector<Overlap>& met) {
   return joints;
 }
 
-/// Islands or holes of which no pixel is near the printed parts.
-int count_missing(const Wanted& wanted, const Regions& near) {
-  std::set<int> missing(wanted.parts.labels().begin(), wanted.parts.labels().end());
-  for (const Overlap& pair : overlaps(wanted.parts, near)) {
-    missing.erase(wanted.parts.labels()[index(pair.a)]);
+/// Islands of which no pixel is near the printed parts.
+int count_missing(const Wanted& material, const Regions& near) {
+  std::set<int> missing(material.parts.labels().begin(), material.parts.labels().end());
+  for (const Overlap& pair : overlaps(material.parts, near)) {
+    missing.erase(material.parts.labels()[index(pair.a)]);
   }
   return static_cast<int>(missing.size());
+}
+
+/// Labels that have two by two pixels somewhere.
+std::set<int> labels_with_square(const Regions& parts) {
+  std::set<int> labels;
+  const auto runs = parts.runs();
+  std::size_t below = 0;
+  for (const PixelRun& run : runs) {
+    while (runs[below].row < run.row - 1) ++below;
+    for (std::size_t k = below; runs[k].row == run.row - 1; ++k) {
+      const int common = std::min(run.end, runs[k].end) - std::max(run.begin, runs[k].begin);
+      if (runs[k].label == run.label && common >= 2) labels.insert(run.label);
+    }
+  }
+  return labels;
+}
+
+/// Holes that are closed up, those too narrow to tell left out.
+int count_closed(const Wanted& space, const Regions& printed_free) {
+  std::set<int> closed = labels_with_square(space.parts);
+  for (const Overlap& pair : overlaps(space.parts, printed_free)) {
+    closed.erase(space.parts.labels()[index(pair.a)]);
+  }
+  return static_cast<int>(closed.size());
 }
 
 /// Whether each printed part meets anything.
@@ -177,7 +201,7 @@ LayerVerdict judge_layer(std::span<const ExtrudedSegment> beads, const Contours&
       .components_wrong = count_cuts(material, met) + count_joints(material, met) +
                           count_missing(material, Regions::of_set(deposit.grown())),
       .holes_wrong = count_cuts(space, free_met) + count_joints(space, free_met) +
-                     count_missing(space, printed_free),
+                     count_closed(space, printed_free),
       .solid_mm2 = solid_pixels * pixel_mm2,
       .area_error = solid_pixels > 0 ? outside_pixels / solid_pixels : 0,
       .void_mm2 = static_cast<double>(unmet_pixels(printed_free, is_met(printed_free, free_met))) *
