@@ -7,8 +7,8 @@
 
 namespace slipstick {
 
-/// The lines of a G-code file, read as they are needed. A line that no printer could take is an error that
-/// names file and line.
+/// The lines of a G-code file, read as they are needed. A line that no printer could take is an
+/// error that names file and line.
 class FileLines final : public LineSource {
  public:
   [[nodiscard]] static Result<std::unique_ptr<FileLines>> open(const std::filesystem::path& path);

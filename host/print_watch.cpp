@@ -7,8 +7,8 @@
 namespace slipstick {
 namespace {
 
-// Layers sent before the one being laid is finished: what fits into the printer's buffers. Layers of a few
-// moves make it more than one.
+// Layers sent before the one being laid is finished: what fits into the printer's buffers. Layers
+// of a few moves make it more than one.
 constexpr std::size_t kLayersUnderWayMax = 64;
 // Heights are told to the printer in µm.
 constexpr double kSameHeight = 2e-3;

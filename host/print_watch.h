@@ -8,8 +8,8 @@
 
 namespace slipstick {
 
-/// Watches what the simulated printer lays down and compares it, layer by layer, with the contours that it
-/// was to print. Keeps the contours of the layers under way only.
+/// Watches what the simulated printer lays down and compares it, layer by layer, with the contours
+/// that it was to print. Keeps the contours of the layers under way only.
 class PrintWatch {
  public:
   PrintWatch(double filament_diameter, double sampling);

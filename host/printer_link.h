@@ -13,13 +13,14 @@ namespace slipstick {
 /// An open way to a printer: the one place that knows both real ports and the simulator.
 struct PrinterLink {
   std::unique_ptr<Transport> transport;
-  std::unique_ptr<Clock> own_clock;       ///< Of real ports.
+  std::unique_ptr<Clock> own_clock;  ///< Of real ports.
   const Clock* clock = nullptr;
   Pace pace = Pace::kRealTime;
-  SimTransport* sim = nullptr;            ///< `transport`, if that is the embedded simulator.
+  SimTransport* sim = nullptr;  ///< `transport`, if that is the embedded simulator.
 };
 
-/// Opens what `address` names (INTERFACES: PORT). \param sink gets every move of a simulated printer.
+/// Opens what `address` names (INTERFACES: PORT). \param sink gets every move of a simulated
+/// printer.
 [[nodiscard]] Result<PrinterLink> open_printer(std::string_view address, Vec3 build_volume,
                                                const Planner::Sink& sink);
 

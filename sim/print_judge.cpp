@@ -26,6 +26,8 @@ void PrintJudge::judge() {
     v.area_error_max = std::max(v.area_error_max, layer.area_error);
     v.area_error_mean += (layer.area_error - v.area_error_mean) / v.layers;
     v.stray_mm2 += layer.stray_mm2;
+    const bool wrong = layer.components_wrong + layer.holes_wrong > 0;
+    if (wrong && v.wrong_at.size() < kWrongListed) v.wrong_at.push_back(beads_.front().z);
   } else {
     ++verdict_.layers_unknown;
   }

@@ -17,11 +17,15 @@ struct PrintVerdict {
   double area_error_max = 0;   ///< Of one layer.
   double area_error_mean = 0;  ///< Over the layers judged.
   double stray_mm2 = 0;
+  std::vector<double>
+      wrong_at;  ///< mm: the tops of the first wrong layers, `kWrongListed` at most.
 };
 
 /// Judges a print layer by layer while it is made; keeps the beads of one layer.
 class PrintJudge {
  public:
+  static constexpr std::size_t kWrongListed = 20;
+
   /// The contours of the layer whose top is at `z` and which is `height` high, or nothing if there
   /// is none.
   using ContoursOf = std::function<std::optional<Contours>(double z, double height)>;

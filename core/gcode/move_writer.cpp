@@ -42,8 +42,8 @@ void MoveWriter::travel(Vec2 to) {
   if (!has_position_ || length > settings_.toolpath.retract_travel_min) retract();
   move("G0", target, settings_.toolpath.travel_speed);
   text_ += '\n';
-  seconds_ += duration(length, settings_.toolpath.travel_speed,
-                       settings_.printer.travel_acceleration);
+  seconds_ +=
+      duration(length, settings_.toolpath.travel_speed, settings_.printer.travel_acceleration);
   unretract();
 }
 

@@ -18,7 +18,8 @@ class MoveWriter {
   void height(double z);
   /// A travel, retracted if it is long. \pre `height` was set.
   void travel(Vec2 to);
-  /// A move that lays `filament` mm at `speed` mm/s. What is too short to be written is added to the next.
+  /// A move that lays `filament` mm at `speed` mm/s. What is too short to be written is added to
+  /// the next.
   void extrude(Vec2 to, double filament, double speed);
   void retract();
 

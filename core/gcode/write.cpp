@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/gcode/move_writer.h"
+#include "core/gcode/resolvable.h"
 #include "core/toolpath/flow.h"
 
 namespace slipstick {
@@ -15,12 +16,18 @@ constexpr double kFullFan = 255;
 
 double wanted_speed(Role role, const ToolpathSettings& t) {
   switch (role) {
-    case Role::kSkirt: return t.first_layer_speed;
-    case Role::kOuterPerimeter: return t.outer_perimeter_speed;
-    case Role::kThinBead: return t.outer_perimeter_speed;
-    case Role::kInnerPerimeter: return t.perimeter_speed;
-    case Role::kSkin: return t.skin_speed;
-    case Role::kInfill: return t.infill_speed;
+    case Role::kSkirt:
+      return t.first_layer_speed;
+    case Role::kOuterPerimeter:
+      return t.outer_perimeter_speed;
+    case Role::kThinBead:
+      return t.outer_perimeter_speed;
+    case Role::kInnerPerimeter:
+      return t.perimeter_speed;
+    case Role::kSkin:
+      return t.skin_speed;
+    case Role::kInfill:
+      return t.infill_speed;
   }
   return t.first_layer_speed;
 }
@@ -58,24 +65,23 @@ class LayerWriter {
   }
 
   void lay(const Bead& bead, Pace pace) {
-    moves_.travel(bead.points.front());
-    const std::size_t segments = bead.closed ? bead.points.size() : bead.points.size() - 1;
-    for (std::size_t i = 0; i < segments; ++i) {
-      const Vec2 from = bead.points[i];
-      const Vec2 to = bead.points[i + 1 < bead.points.size() ? i + 1 : 0];
-      const double width = bead.widths.size() == 1 ? bead.widths[0] : bead.widths[i];
-      const double area = bead_area(width, layer_.height) * settings_.material.flow;
-      moves_.extrude(to,
-                     filament_length(area, length(to - from), settings_.printer.filament_diameter),
+    const Moves moves = resolvable_moves(bead, layer_.height);
+    moves_.travel(moves.from);
+    Vec2 at = moves.from;
+    for (const Piece& piece : moves.pieces) {
+      const double path = length(piece.to - at);
+      const double area = piece.volume / path * settings_.material.flow;
+      moves_.extrude(piece.to, filament_length(area, path, settings_.printer.filament_diameter),
                      speed(bead.role, area, pace));
+      at = piece.to;
     }
   }
 
   [[nodiscard]] double speed(Role role, double area, Pace pace) const {
     double speed = wanted_speed(role, settings_.toolpath);
     if (layer_.layer == 0) speed = std::min(speed, settings_.toolpath.first_layer_speed);
-    speed = std::min({speed, settings_.printer.speed_max,
-                      settings_.material.volume_speed_max / area});
+    speed =
+        std::min({speed, settings_.printer.speed_max, settings_.material.volume_speed_max / area});
     return std::max(speed * pace.slowdown, std::min(speed, kSpeedMin));
   }
 

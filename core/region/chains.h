@@ -22,8 +22,8 @@ struct Chain {
   bool is_spur = false;  ///< Its back ends freely, its front, the root, hangs on something else.
 };
 
-/// The lines of `thin` (an image worn to lines one node wide) outside `kept`, cut where three or more meet;
-/// where a line meets `kept`, its chain ends with the node of `kept` it touches.
+/// The lines of `thin` (an image worn to lines one node wide) outside `kept`, cut where three or
+/// more meet; where a line meets `kept`, its chain ends with the node of `kept` it touches.
 ///
 /// Two nodes are beside each other if they share a side, or a corner and no third node sits in it.
 [[nodiscard]] std::vector<Chain> chains_of(const BitImage& thin, const BitImage& kept);

@@ -18,7 +18,8 @@ double to_segment(Vec2 p, Vec2 a, Vec2 edge, double inverse_square) {
 DistanceField::DistanceField(const BitImage& image, const Outline& outline, double reach)
     : grid_(image.grid()),
       reach_(static_cast<float>(reach)),
-      distances_(static_cast<std::size_t>(image.columns()) * static_cast<std::size_t>(image.rows())) {
+      distances_(static_cast<std::size_t>(image.columns()) *
+                 static_cast<std::size_t>(image.rows())) {
   for (int row = 0; row < image.rows(); ++row) {
     for (int column = 0; column < image.columns(); ++column) {
       if (image.at(column, row)) {
@@ -71,8 +72,8 @@ void DistanceField::approach(Vec2 a, Vec2 b, const BitImage& image) {
   const int top = last(a.y, b.y, grid_.first_row(), grid_.rows());
   for (int row = first(a.y, b.y, grid_.first_row()); row <= top; ++row) {
     const double y = grid_.node_y(row);
-    float* line = &distances_[static_cast<std::size_t>(row) *
-                              static_cast<std::size_t>(grid_.columns())];
+    float* line =
+        &distances_[static_cast<std::size_t>(row) * static_cast<std::size_t>(grid_.columns())];
     for (int column = left; column <= right; ++column) {
       if (!image.at(column, row)) continue;
       const Vec2 node{grid_.node_x(column), y};

@@ -7,10 +7,11 @@
 
 namespace slipstick {
 
-/// How far each inside node is from the outline, in mm: exact up to `reach`, `reach` for all beyond.
+/// How far each inside node is from the outline, in mm: exact up to `reach`, `reach` for all
+/// beyond.
 ///
-/// Levels of this field are insets: {d >= a} is the image of the solid moved inwards by a, and its contour
-/// has the same guarantees as any other.
+/// Levels of this field are insets: {d >= a} is the image of the solid moved inwards by a, and its
+/// contour has the same guarantees as any other.
 class DistanceField {
  public:
   /// \pre `outline` separates the samples of `image`; `reach` > 0.

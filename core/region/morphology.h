@@ -4,7 +4,8 @@
 
 namespace slipstick {
 
-/// `image` grown by `radius` nodes in every direction, diagonals included, as far as the window's inner part.
+/// `image` grown by `radius` nodes in every direction, diagonals included, as far as the window's
+/// inner part.
 [[nodiscard]] BitImage dilated(const BitImage& image, int radius);
 
 }  // namespace slipstick

@@ -16,12 +16,16 @@ struct Offset {
 constexpr std::array<Offset, 8> kAround{
     {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
 
-constexpr bool has(unsigned set, int i) { return ((set >> (i & 7)) & 1U) != 0; }
+constexpr bool has(unsigned set, int i) {
+  return ((set >> (i & 7)) & 1U) != 0;
+}
 
-// Components of `set` among the eight neighbours, connected also by corners: runs around the circle, where an
-// orthogonal gap between two diagonals is bridged by nothing but a diagonal gap is.
+// Components of `set` among the eight neighbours, connected also by corners: runs around the
+// circle, where an orthogonal gap between two diagonals is bridged by nothing but a diagonal gap
+// is.
 constexpr int components_8(unsigned set) {
-  // A diagonal neighbour missing between two present orthogonal ones does not part them: they touch by a corner.
+  // A diagonal neighbour missing between two present orthogonal ones does not part them: they touch
+  // by a corner.
   for (int i = 1; i < 8; i += 2) {
     if (has(set, i - 1) && has(set, i + 1)) set |= 1U << i;
   }
@@ -46,9 +50,8 @@ constexpr std::array<bool, 256> simple_table(Ambiguity ambiguity) {
   std::array<bool, 256> table{};
   for (unsigned set = 0; set < 256; ++set) {
     const unsigned rest = ~set & 0xFFU;
-    table[set] = ambiguity == Ambiguity::kSolid
-                     ? components_8(set) == 1 && components_4(rest) == 1
-                     : components_4(set) == 1 && components_8(rest) == 1;
+    table[set] = ambiguity == Ambiguity::kSolid ? components_8(set) == 1 && components_4(rest) == 1
+                                                : components_4(set) == 1 && components_8(rest) == 1;
   }
   return table;
 }

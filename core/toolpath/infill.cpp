@@ -37,8 +37,8 @@ class Infill {
     if (settings_.toolpath.infill_density >= 1) return inner;
     const BitImage bare = (inner - input_.above) | (inner - input_.below);
     if (!bare.any()) return bare;
-    const int reach = static_cast<int>(
-        std::lround(kSkinReach * lines_.width / input_.image.grid().width()));
+    const int reach =
+        static_cast<int>(std::lround(kSkinReach * lines_.width / input_.image.grid().width()));
     return dilated(bare, reach) & inner;
   }
 

@@ -10,12 +10,18 @@ namespace {
 
 int rank(Role role) {
   switch (role) {
-    case Role::kSkirt: return 0;
-    case Role::kInnerPerimeter: return 1;
-    case Role::kOuterPerimeter: return 2;
-    case Role::kThinBead: return 3;
-    case Role::kSkin: return 4;
-    case Role::kInfill: return 5;
+    case Role::kSkirt:
+      return 0;
+    case Role::kInnerPerimeter:
+      return 1;
+    case Role::kOuterPerimeter:
+      return 2;
+    case Role::kThinBead:
+      return 3;
+    case Role::kSkin:
+      return 4;
+    case Role::kInfill:
+      return 5;
   }
   return 6;
 }
@@ -32,9 +38,13 @@ void start_at_seam(Bead& bead, Vec2 towards) {
   std::rotate(bead.points.begin(), seam, bead.points.end());
 }
 
-Vec2 end_of(const Bead& bead) { return bead.closed ? bead.points.front() : bead.points.back(); }
+Vec2 end_of(const Bead& bead) {
+  return bead.closed ? bead.points.front() : bead.points.back();
+}
 
-double squared(Vec2 a) { return dot(a, a); }
+double squared(Vec2 a) {
+  return dot(a, a);
+}
 
 // How far a bead's nearer end is; closed ones are only begun at their seam.
 double way_to(const Bead& bead, Vec2 from) {
@@ -50,8 +60,8 @@ void turn_towards(Bead& bead, Vec2 from) {
   std::reverse(bead.widths.begin(), bead.widths.end());
 }
 
-// Takes the nearest of beads[first, last) each time and moves it to the front. The rows of an infill are
-// nearly in order already; only so many of the next are looked at.
+// Takes the nearest of beads[first, last) each time and moves it to the front. The rows of an
+// infill are nearly in order already; only so many of the next are looked at.
 void nearest_first(std::vector<Bead>& beads, std::size_t first, std::size_t last, Vec2& at) {
   constexpr std::size_t kLookAhead = 200;
   for (std::size_t i = first; i < last; ++i) {
@@ -137,11 +147,11 @@ std::vector<Bead> in_printing_order(std::vector<Bead> beads, const Outline& outl
   std::vector<Bead> ordered;  // what is on no island, the skirt, comes first
   for (Bead& bead : beads) {
     start_at_seam(bead, towards);
-    const auto home =
-        bead.role == Role::kSkirt
-            ? islands.end()
-            : std::find_if(islands.begin(), islands.end(),
-                           [&](const Island& i) { return holds(i.border, bead.points.front()); });
+    const auto home = bead.role == Role::kSkirt
+                          ? islands.end()
+                          : std::find_if(islands.begin(), islands.end(), [&](const Island& i) {
+                              return holds(i.border, bead.points.front());
+                            });
     (home == islands.end() ? ordered : home->beads).push_back(std::move(bead));
   }
   Vec2 at = ordered.empty() ? Vec2{} : end_of(ordered.back());

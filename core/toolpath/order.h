@@ -7,9 +7,10 @@
 
 namespace slipstick {
 
-/// Puts beads in the order of printing: island by island, the nearest next; on each the inner perimeters before
-/// the outer ones, so that the visible line lies against something, then thin beads, then infill. Open beads
-/// may be turned round, closed ones begin at their seam: the vertex farthest towards `seam_degrees`.
+/// Puts beads in the order of printing: island by island, the nearest next; on each the inner
+/// perimeters before the outer ones, so that the visible line lies against something, then thin
+/// beads, then infill. Open beads may be turned round, closed ones begin at their seam: the vertex
+/// farthest towards `seam_degrees`.
 ///
 /// \param outline tells the islands.
 [[nodiscard]] std::vector<Bead> in_printing_order(std::vector<Bead> beads, const Outline& outline,

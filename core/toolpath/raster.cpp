@@ -108,11 +108,11 @@ void join_along(const std::vector<Crossing>& row, Groups& groups) {
   }
 }
 
-// A height just beside a polygon's leftmost vertex, where the row to its left belongs to the inside if the
-// polygon is a hole.
+// A height just beside a polygon's leftmost vertex, where the row to its left belongs to the inside
+// if the polygon is a hole.
 double leftmost_height(const std::vector<Vec2>& polygon) {
-  const auto left = std::min_element(polygon.begin(), polygon.end(),
-                                     [](Vec2 a, Vec2 b) { return a.x < b.x; });
+  const auto left =
+      std::min_element(polygon.begin(), polygon.end(), [](Vec2 a, Vec2 b) { return a.x < b.x; });
   const auto next = left + 1 == polygon.end() ? polygon.begin() : left + 1;
   constexpr double kBeside = 1e-3;  // of the edge
   return left->y + kBeside * (next->y - left->y);

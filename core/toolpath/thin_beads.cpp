@@ -13,12 +13,13 @@ constexpr double kEndDepth = 0.15;
 constexpr double kWidthMax = 1.6;
 // Of a cell: what filament can still be counted out for.
 constexpr double kWidthMin = 0.5;
-// A spur is what is left of a corner, not a wall, if it deepens this much towards its root (a wall keeps its
-// depth; the bisector of a right angle deepens by 0.7) …
+// A spur is what is left of a corner, not a wall, if it deepens this much towards its root (a wall
+// keeps its depth; the bisector of a right angle deepens by 0.7) …
 constexpr double kCornerSlope = 0.35;
 // … or if it is shorter than this many line widths.
 constexpr double kSpurLengthMin = 1.0;
-// Nodes of a chain may be left out where the bead moves by no more than this part of its half width.
+// Nodes of a chain may be left out where the bead moves by no more than this part of its half
+// width.
 constexpr double kStraightening = 0.25;
 // A piece ends where the room has changed by this part.
 constexpr double kTaper = 0.2;
@@ -51,9 +52,7 @@ class BeadMaker {
 
  private:
   [[nodiscard]] Vec2 mm(Node n) const { return {grid_.node_x(n.column), grid_.node_y(n.row)}; }
-  [[nodiscard]] double depth(Node n) const {
-    return thin_.depth.at(n.column, n.row) - thin_.edge;
-  }
+  [[nodiscard]] double depth(Node n) const { return thin_.depth.at(n.column, n.row) - thin_.edge; }
   [[nodiscard]] double width(double room) const {
     return std::clamp(2 * room, kWidthMin * grid_.width(), kWidthMax * thin_.line_width);
   }
@@ -61,8 +60,8 @@ class BeadMaker {
     return chain.nodes[i < chain.nodes.size() ? i : 0];
   }
 
-  // How far a straight bead from node `from` to node `to` stays from the edge: depth changes by no more
-  // than one goes, so what it leaves aside counts against it.
+  // How far a straight bead from node `from` to node `to` stays from the edge: depth changes by no
+  // more than one goes, so what it leaves aside counts against it.
   [[nodiscard]] double room(const Chain& chain, std::size_t from, std::size_t to) const {
     double least = kWidthMax * thin_.line_width;
     for (std::size_t i = from; i <= to; ++i) {
@@ -89,8 +88,8 @@ class BeadMaker {
     return sum;
   }
 
-  // The nodes that are kept: as few as straight pieces within the tolerance need, greedily. A closed chain
-  // keeps at least three.
+  // The nodes that are kept: as few as straight pieces within the tolerance need, greedily. A
+  // closed chain keeps at least three.
   [[nodiscard]] std::vector<std::size_t> corners_of(const Chain& chain) const {
     std::vector<std::size_t> kept{0};
     const std::size_t count = chain.nodes.size();

@@ -37,8 +37,8 @@ std::vector<Bead> wall_beads(const BitImage& image, const DistanceField& depth,
       const Role role = k == 0 ? Role::kOuterPerimeter : Role::kInnerPerimeter;
       add_rings(full, depth, level, role, lines, slicing, beads);
     }
-    const auto thin = thin_beads(
-        {region, full, depth, lines.edge(k), lines.width, slicing.ambiguity});
+    const auto thin =
+        thin_beads({region, full, depth, lines.edge(k), lines.width, slicing.ambiguity});
     beads.insert(beads.end(), thin.begin(), thin.end());
     if (!is_infill) region = depth.at_least(lines.edge(k + 1));
   }

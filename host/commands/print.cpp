@@ -53,7 +53,8 @@ nlohmann::ordered_json sim_report(const SimTransport& sim, PrintWatch& watch) {
            {{"layers", verdict.layers},
             {"components_wrong", verdict.components_wrong},
             {"holes_wrong", verdict.holes_wrong},
-            {"area_error", verdict.area_error_max}}}};
+            {"area_error", verdict.area_error_max},
+            {"wrong_at", verdict.wrong_at}}}};
 }
 
 class PrintRun {
@@ -65,8 +66,7 @@ class PrintRun {
     if (!request) return fail(request.error());
     request_ = std::move(*request);
     const std::filesystem::path path = command_.model.path;
-    watch_.emplace(request_.settings.printer.filament_diameter,
-                   request_.settings.slicing.sampling);
+    watch_.emplace(request_.settings.printer.filament_diameter, request_.settings.slicing.sampling);
     const auto done = is_gcode(path) ? print_file(path) : print_model();
     if (!done) return fail(done.error());
     if (const auto ok = write_report(); !ok) return fail(ok.error());

@@ -56,11 +56,13 @@ CommandResult run_sim(const SimCommand& command) {
 
 void add_sim_command(CLI::App& app, ChosenCommand& run) {
   const auto command = std::make_shared<SimCommand>();
-  CLI::App* sub = app.add_subcommand("sim", "a simulated printer for any host program, in real time");
+  CLI::App* sub =
+      app.add_subcommand("sim", "a simulated printer for any host program, in real time");
   auto* pty = sub->add_option("--pty", command->pty, "where to put the link to its terminal");
   auto* tcp = sub->add_option("--tcp", command->tcp, "port on 127.0.0.1; 0 chooses one")
                   ->check(CLI::Range(0, 65535));
-  sub->add_option("--options", command->options, "as behind 'sim:?': seed=7&corrupt=0.002&baud=115200");
+  sub->add_option("--options", command->options,
+                  "as behind 'sim:?': seed=7&corrupt=0.002&baud=115200");
   sub->footer("Example: slipstick sim --pty /tmp/printer");
   sub->callback([command, &run, pty, tcp] {
     if (pty->count() + tcp->count() == 0) throw CLI::RequiredError("--pty or --tcp");
