@@ -62,7 +62,6 @@ void Firmware::reject(Verdict verdict) {
 
 void Firmware::request_resend() {
   ring_.clear();
-  reader_.reset();
   text_ += fmt::format("Resend: {}\n", gate_.last_number() + 1).append(kOk);
   resending_ = false;
   ++resends_requested_;

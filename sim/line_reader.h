@@ -18,13 +18,11 @@ class LineReader {
   /// The line that `byte` ends, valid until the next call.
   std::optional<std::string_view> feed(char byte);
 
-  /// Forgets the line begun.
-  void reset();
-
  private:
   enum class State { kNormal, kEscaped, kSkipping };
 
   void add(char byte);
+  void reset();
 
   State state_ = State::kNormal;
   bool done_ = false;

@@ -149,6 +149,25 @@ TEST_CASE("Commands queued before a bad line keep their oks, which come after th
   CHECK(heard == kNumberError + "0\nResend: 1\nok\nok\nok\n");
 }
 
+TEST_CASE("What lies in the receive buffer behind a bad line is flushed") {
+  Dialogue host;
+
+  CHECK(host.send("N5 G1 X1*0\nM114\nM114\n") == kNumberError + "0\nResend: 1\nok\n");
+}
+
+TEST_CASE(
+    "What arrives while Resend is printed is not flushed: the tail of a line becomes a command") {
+  Dialogue host({.baud = 115200});
+  std::string lines = "N1 G1 X1*0\n";
+  for (int n = 2; n <= 10; ++n) lines += "N" + std::to_string(n) + " G1 X12 F3000*5\n";
+
+  const std::string heard = host.send(lines);
+
+  CHECK(heard.starts_with("Error:checksum mismatch, Last Line: 0\nResend: 1\nok\n"));
+  CHECK(heard.find("echo:Unknown command: \"") != std::string::npos);
+  CHECK(host.printer().statistics().resends_requested > 1);
+}
+
 TEST_CASE("An overfed UART loses bytes without a word") {
   Dialogue host({.baud = 115200});
   host.say("G4 P500", Moment(10'000));
