@@ -8,7 +8,7 @@
 
 #include "core/base/result.h"
 #include "sim/printer.h"
-#include "sim/unique_fd.h"
+#include "drivers/unique_fd.h"
 
 namespace slipstick {
 

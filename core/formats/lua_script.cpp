@@ -37,15 +37,17 @@ void* allocate(void* budget_pointer, void* block, std::size_t old_size, std::siz
   return moved;
 }
 
-void count_instructions(lua_State* lua, lua_Debug*) {
+void count_instructions(lua_State* lua, lua_Debug* where) {
   void* budget_pointer = nullptr;
   lua_getallocf(lua, &budget_pointer);
   auto& budget = *static_cast<Budget*>(budget_pointer);
   budget.instructions -= kHookPeriod;
-  if (budget.instructions < 0) {
-    luaL_error(lua, "the script runs for too long (more than %d million instructions)",
-               static_cast<int>(kLuaInstructionsMax / 1'000'000));
-  }
+  if (budget.instructions >= 0) return;
+  lua_getinfo(lua, "Sl", where);
+  lua_pushfstring(lua, "%s:%d: the script runs for too long (more than %d million instructions)",
+                  where->short_src, where->currentline,
+                  static_cast<int>(kLuaInstructionsMax / 1'000'000));
+  lua_error(lua);
 }
 
 // Everything that could reach the machine, hide an error, run without being counted, or differ from

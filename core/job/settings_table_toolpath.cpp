@@ -12,7 +12,7 @@ constexpr Setting kRows[] = {
                    0.05, 5},
      "Width of a bead on the first layer. As line_width; wider sticks better."},
     {"perimeters", SettingGroup::kToolpath, "",
-     IntegerSetting{[](auto& s) -> decltype(auto) { return (s.toolpath.perimeters); }, 0, 100},
+     IntegerSetting{[](auto& s) -> decltype(auto) { return (s.toolpath.perimeters); }, 1, 100},
      "Walls around each layer. 2; 3 or more for strength."},
     {"top_layers", SettingGroup::kToolpath, "",
      IntegerSetting{[](auto& s) -> decltype(auto) { return (s.toolpath.top_layers); }, 0, 1000},

@@ -21,7 +21,7 @@ class MeshSolid final : public Solid {
       vertices_.push_back(map(p));
       bounds_ = bounds_.with(vertices_.back());
     }
-    std::vector<Interval> heights;
+    std::vector<CoordinateRange> heights;
     heights.reserve(mesh_->triangles.size());
     for (const auto& [a, b, c] : mesh_->triangles) {
       const auto [low, high] = std::minmax({vertices_[a].z, vertices_[b].z, vertices_[c].z});

@@ -7,12 +7,12 @@
 
 namespace slipstick {
 
-IntervalIndex::IntervalIndex(std::span<const Interval> intervals) {
+IntervalIndex::IntervalIndex(std::span<const CoordinateRange> intervals) {
   SLIPSTICK_CHECK(intervals.size() < std::numeric_limits<std::uint32_t>::max());
   if (intervals.empty()) return;
   low_ = intervals[0].low;
   high_ = intervals[0].high;
-  for (const Interval& i : intervals) {
+  for (const CoordinateRange& i : intervals) {
     low_ = std::min(low_, i.low);
     high_ = std::max(high_, i.high);
   }
@@ -24,7 +24,7 @@ IntervalIndex::IntervalIndex(std::span<const Interval> intervals) {
   std::vector<std::uint32_t> cells;
   cells.reserve(intervals.size());
   offsets_.assign(first_cell(levels_) + 1, 0);
-  for (const Interval& i : intervals) {
+  for (const CoordinateRange& i : intervals) {
     cells.push_back(static_cast<std::uint32_t>(cell_of(i)));
     ++offsets_[cells.back() + 1];
   }
@@ -34,7 +34,7 @@ IntervalIndex::IntervalIndex(std::span<const Interval> intervals) {
   for (std::uint32_t i = 0; i < intervals.size(); ++i) items_[next[cells[i]]++] = i;
 }
 
-std::size_t IntervalIndex::cell_of(const Interval& interval) const {
+std::size_t IntervalIndex::cell_of(const CoordinateRange& interval) const {
   // Twice the length leaves room for the rounding of cell_of: a value in the interval is less than
   // one whole cell above its lower end.
   const double share = 2 * (interval.high - interval.low) * per_range_;

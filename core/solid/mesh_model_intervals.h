@@ -9,7 +9,7 @@
 namespace slipstick {
 
 /// A closed interval of numbers. \pre low <= high, both finite.
-struct Interval {
+struct CoordinateRange {
   double low = 0;
   double high = 0;
 };
@@ -22,7 +22,7 @@ struct Interval {
 class IntervalIndex {
  public:
   IntervalIndex() = default;
-  explicit IntervalIndex(std::span<const Interval> intervals);
+  explicit IntervalIndex(std::span<const CoordinateRange> intervals);
 
   /// Calls `visit(i)` for each interval i that holds `value`, and for some that do not.
   template <typename Visit>
@@ -45,7 +45,7 @@ class IntervalIndex {
     const double cell = std::floor((value - low_) * per_range_ * cells);
     return static_cast<std::size_t>(std::clamp(cell, 0.0, cells - 1));
   }
-  [[nodiscard]] std::size_t cell_of(const Interval& interval) const;
+  [[nodiscard]] std::size_t cell_of(const CoordinateRange& interval) const;
 
   double low_ = 0;
   double high_ = -1;

@@ -76,7 +76,7 @@ void OutlineSection::find_row(double y) {
     for (const OutlineSegment& s : segments_) add(s);
   } else {
     if (!indexed_) {
-      std::vector<Interval> intervals;
+      std::vector<CoordinateRange> intervals;
       intervals.reserve(segments_.size());
       for (const OutlineSegment& s : segments_) intervals.push_back({s.low.y, s.high.y});
       by_y_ = IntervalIndex(intervals);

@@ -161,7 +161,7 @@ TEST_CASE("Wrong settings name the key") {
              Contains("layer_hight") && Contains("layer_height"));
   CHECK_THAT(refusal_of_slice(place, model, {"--layer-height", "-1"}), Contains("layer_height"));
   CHECK_THAT(refusal_of_slice(place, model, {"--printer", "nonesuch"}), Contains("nonesuch"));
-  CHECK_THAT(refusal_of_slice(place, model, {"--sampling", "0.002"}), Contains("sampling"));
+  CHECK_THAT(refusal_of_slice(place, model, {"--sampling", "0.0005"}), Contains("sampling"));
   CHECK_THAT(refusal_of_slice(place, model, {"--layers", "900:901"}), Contains("layers"));
 }
 

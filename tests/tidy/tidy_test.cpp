@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -82,6 +83,26 @@ TEST_CASE("An include upwards is a fault, one downwards is not") {
   CHECK(faults_of("drivers/a.h", {"#include \"host/b.h\""}).size() == 1);
   CHECK(faults_of("sim/a.h", {"#include \"core/b.h\"", "#include \"drivers/c.h\""}).empty());
   CHECK(faults_of("tests/a.cpp", {"#include \"host/b.h\""}).empty());
+}
+
+// Two headers that define a type of one name would each be right alone; linked together the program
+// breaks in places far away (one definition rule).
+TEST_CASE("No type name is defined in two headers") {
+  const std::regex definition(R"(^(struct|class|enum class) (\w+)( final)?( :[^;]*)?( \{.*)?$)");
+  std::map<std::string, std::string> home;
+  for (const char* folder : {"core", "drivers", "sim", "host"}) {
+    for (const auto& entry :
+         fs::recursive_directory_iterator(fs::path(SLIPSTICK_SOURCE_DIR) / folder)) {
+      if (entry.path().extension() != ".h") continue;
+      for (const std::string& line : lines_of(entry.path())) {
+        std::smatch match;
+        if (!std::regex_match(line, match, definition)) continue;
+        const auto [at, is_new] = home.emplace(match[2], entry.path().string());
+        if (!is_new) FAIL_CHECK(match[2] << " in " << entry.path() << " and " << at->second);
+      }
+    }
+  }
+  CHECK(home.size() > 100);
 }
 
 TEST_CASE("A file of 401 lines is too long") {

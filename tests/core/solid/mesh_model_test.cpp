@@ -244,7 +244,7 @@ TEST_CASE("A model's name says its format and stands in its errors") {
 
 TEST_CASE("The interval index finds all that hold a value") {
   Rng rng(3);
-  std::vector<Interval> intervals;
+  std::vector<CoordinateRange> intervals;
   for (int i = 0; i < 500; ++i) {
     const double low = rng.unit() * 10;
     const double length = i % 3 == 0 ? rng.unit() * 10 : rng.unit() * 0.1;
@@ -252,7 +252,7 @@ TEST_CASE("The interval index finds all that hold a value") {
   }
   const IntervalIndex index(intervals);
   std::vector<double> values{-1, 0, 5, 10, 21};
-  for (const Interval& i : intervals) values.insert(values.end(), {i.low, i.high});
+  for (const CoordinateRange& i : intervals) values.insert(values.end(), {i.low, i.high});
   for (const double value : values) {
     std::vector<int> found(intervals.size(), 0);
 
