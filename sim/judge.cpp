@@ -14,6 +14,10 @@ namespace slipstick {
 
 namespace {
 
+/// Pixels a side of the least hole that must stay open. Beads thinner than a pixel's diagonal are
+/// drawn that wide, so two of them may cover a gap of two pixels between them.
+constexpr int kTellableSide = 3;
+
 Box2 area_of(std::span<const ExtrudedSegment> beads, const Contours& contours) {
   Box2 area;
   for (const ExtrudedSegment& bead : beads) {
@@ -105,24 +109,41 @@ int count_missing(const Wanted& material, const Regions& near) {
   return static_cast<int>(missing.size());
 }
 
-/// Labels that have two by two pixels somewhere.
-std::set<int> labels_with_square(const Regions& parts) {
+/// What two runs have in common, of one label; empty if they are of two.
+PixelRun common_part(const PixelRun& a, const PixelRun& b) {
+  return {a.row, std::max(a.begin, b.begin), a.label == b.label ? std::min(a.end, b.end) : 0,
+          a.label, 0};
+}
+
+/// Labels that have a square of `side` pixels somewhere.
+std::set<int> labels_with_square(const Regions& parts, int side) {
   std::set<int> labels;
   const auto runs = parts.runs();
-  std::size_t below = 0;
+  std::vector<std::vector<PixelRun>> by_row;
   for (const PixelRun& run : runs) {
-    while (runs[below].row < run.row - 1) ++below;
-    for (std::size_t k = below; runs[k].row == run.row - 1; ++k) {
-      const int common = std::min(run.end, runs[k].end) - std::max(run.begin, runs[k].begin);
-      if (runs[k].label == run.label && common >= 2) labels.insert(run.label);
+    by_row.resize(std::max(by_row.size(), index(run.row) + 1));
+    by_row[index(run.row)].push_back(run);
+  }
+  for (std::size_t last = index(side) - 1; last < by_row.size(); ++last) {
+    std::vector<PixelRun> columns = by_row[last];  // common to all rows looked at so far
+    for (std::size_t up = 1; up < index(side); ++up) {
+      std::vector<PixelRun> narrowed;
+      for (const PixelRun& a : columns) {
+        for (const PixelRun& b : by_row[last - up]) {
+          const PixelRun c = common_part(a, b);
+          if (c.end - c.begin >= side) narrowed.push_back(c);
+        }
+      }
+      columns = std::move(narrowed);
     }
+    for (const PixelRun& run : columns) labels.insert(run.label);
   }
   return labels;
 }
 
 /// Holes that are closed up, those too narrow to tell left out.
 int count_closed(const Wanted& space, const Regions& printed_free) {
-  std::set<int> closed = labels_with_square(space.parts);
+  std::set<int> closed = labels_with_square(space.parts, kTellableSide);
   for (const Overlap& pair : overlaps(space.parts, printed_free)) {
     closed.erase(space.parts.labels()[index(pair.a)]);
   }
