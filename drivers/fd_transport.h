@@ -23,6 +23,7 @@ class FdTransport final : public Transport {
   [[nodiscard]] Result<void> write_all(std::string_view bytes,
                                        std::chrono::microseconds patience) override;
   void shut_down() noexcept override;
+  [[nodiscard]] int descriptor() const noexcept override { return fd_.get(); }
   [[nodiscard]] std::string_view name() const override { return name_; }
 
  private:

@@ -41,6 +41,10 @@ class Transport {
   /// Makes the call in progress and all later ones fail with kCancelled. Safe to call twice.
   virtual void shut_down() noexcept = 0;
 
+  /// The descriptor that bytes go out through, for last words from a signal handler; -1 if there is
+  /// none.
+  [[nodiscard]] virtual int descriptor() const noexcept { return -1; }
+
   /// For messages: "pty:/tmp/printer".
   [[nodiscard]] virtual std::string_view name() const = 0;
 };

@@ -6,7 +6,9 @@
 #include <array>
 #include <optional>
 
+#include "drivers/marlin/safe_stop.h"
 #include "host/interrupt.h"
+#include "host/last_words.h"
 
 namespace slipstick {
 namespace {
@@ -33,9 +35,7 @@ class Stream {
       take_events();
       const SenderState state = sender_.state();
       if (state == SenderState::kDone) break;
-      if (state == SenderState::kHalted || state == SenderState::kLost) {
-        return fail(failure_.value_or(Error{ErrorCode::kPrinter, sender_.reason()}));
-      }
+      if (state == SenderState::kHalted || state == SenderState::kLost) return given_up();
       if (stop_deadline_ && clock_.now() > *stop_deadline_) break;
       if (const auto ok = read(); !ok) return fail(failure_.value_or(ok.error()));
     }
@@ -70,6 +70,14 @@ class Stream {
     ended_ = true;
     stop_deadline_ = clock_.now() + kStopPatience;
     sender_.stop();
+  }
+
+  // The sender says nothing more. A board that was reset has no targets, but one that merely could
+  // not be understood may still be hot.
+  Result<StreamOutcome> given_up() {
+    const auto ignored = transport_.write_all(kSafeStopBytes, kWritePatience);
+    static_cast<void>(ignored);
+    return fail(failure_.value_or(Error{ErrorCode::kPrinter, sender_.reason()}));
   }
 
   Result<void> write() {
@@ -126,6 +134,7 @@ class Stream {
 
 Result<StreamOutcome> stream_job(Transport& transport, const Clock& clock, LineSource& source,
                                  Pace pace) {
+  const LastWords last_words(transport.descriptor());
   return Stream(transport, clock, source, pace).run();
 }
 

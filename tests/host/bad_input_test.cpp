@@ -1,4 +1,5 @@
-// Whatever a user gives, a wrong thing is answered by one clear line and status 1, and leaves nothing behind.
+// Whatever a user gives, a wrong thing is answered by one clear line and status 1, and leaves
+// nothing behind.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <fstream>
@@ -80,9 +81,11 @@ TEST_CASE("An endless script is stopped") {
 TEST_CASE("A greedy script is stopped") {
   const Workplace place;
 
-  CHECK_THAT(refusal_of_slice(place, place.file("a.lua", "local t = {}\n"
-                                                         "while true do t[#t + 1] = ('x'):rep(1e6) .. #t end\n")),
-             Contains("a.lua"));
+  CHECK_THAT(
+      refusal_of_slice(place, place.file("a.lua",
+                                         "local t = {}\n"
+                                         "while true do t[#t + 1] = ('x'):rep(1e6) .. #t end\n")),
+      Contains("a.lua"));
 }
 
 TEST_CASE("A script that reaches for the machine finds nothing") {
@@ -96,17 +99,17 @@ TEST_CASE("A script that reaches for the machine finds nothing") {
 TEST_CASE("An expression that is no number is refused with the place") {
   const Workplace place;
 
-  CHECK_THAT(refusal_of_slice(
-                 place, place.file("a.lua", "return max(sphere(5), sqrt(x - 2) - 9)\n")),
-             Contains("not a number"));
+  CHECK_THAT(
+      refusal_of_slice(place, place.file("a.lua", "return max(sphere(5), sqrt(x - 2) - 9)\n")),
+      Contains("not a number"));
 }
 
 TEST_CASE("An empty solid is refused") {
   const Workplace place;
 
-  CHECK_THAT(refusal_of_slice(
-                 place, place.file("a.lua", "return intersection(sphere(1):move(-9, 0, 0), "
-                                            "sphere(1):move(9, 0, 0))\n")),
+  CHECK_THAT(refusal_of_slice(place, place.file("a.lua",
+                                                "return intersection(sphere(1):move(-9, 0, 0), "
+                                                "sphere(1):move(9, 0, 0))\n")),
              Contains("empty"));
 }
 
@@ -134,8 +137,8 @@ TEST_CASE("A full disk is told from standard output too") {
   const Workplace place;
   const std::string model = place.file("a.lua", kBall);
 
-  const auto finished = test::run({"sh", "-c", std::string(SLIPSTICK_BINARY) + " slice " + model +
-                                                   " -o - >/dev/full"});
+  const auto finished = test::run(
+      {"sh", "-c", std::string(SLIPSTICK_BINARY) + " slice " + model + " -o - >/dev/full"});
 
   CHECK_THAT(refusal(finished), Contains("No space left"));
 }
@@ -145,9 +148,9 @@ TEST_CASE("A full disk leaves nothing half written") {
   const Workplace place;
   const std::string model = place.file("a.lua", kBall);
 
-  const auto finished =
-      test::run({"sh", "-c", "ulimit -f 8; trap '' XFSZ; " + std::string(SLIPSTICK_BINARY) + " slice " +
-                                 model + " -o " + place.path("a.gcode")});
+  const auto finished = test::run({"sh", "-c",
+                                   "ulimit -f 8; trap '' XFSZ; " + std::string(SLIPSTICK_BINARY) +
+                                       " slice " + model + " -o " + place.path("a.gcode")});
 
   CHECK_THAT(refusal(finished), Contains("cannot write") && Contains("a.gcode"));
   CHECK(place.count() == 1);

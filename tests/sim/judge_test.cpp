@@ -166,13 +166,14 @@ TEST_CASE("Nothing printed where nothing should be is right") {
   CHECK(v.holes_wrong == 0);
 }
 
-TEST_CASE("A hole too small for a pixel is a hole nevertheless, and closed it is wrong") {
-  const Contours contours{circle({0, 0}, 5), hole({0, 0}, 0.04)};
+TEST_CASE("A hole of three pixels that was closed up is wrong, a smaller one is beyond telling") {
+  const auto closed = [](double radius) {
+    return judge_layer(ring_fill({0, 0}, 0, 5), {circle({0, 0}, 5), hole({0, 0}, radius)});
+  };
 
-  const LayerVerdict v = judge_layer(ring_fill({0, 0}, 0, 5), contours);
-
-  CHECK(v.holes == 1);
-  CHECK(v.holes_wrong == 1);
+  CHECK(closed(0.12).holes_wrong == 1);
+  CHECK(closed(0.04).holes_wrong == 0);
+  CHECK(closed(0.04).holes == 1);
 }
 
 TEST_CASE("An island in a hole is a component of its own") {
