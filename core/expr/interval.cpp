@@ -27,9 +27,13 @@ double up(double value, int steps) {
   return value;
 }
 
+// Rounding never changes a sign, so neither does widening: without that, the root of a sum of
+// squares would be undefined wherever both may be 0.
 Interval widened(double low, double high, int steps) {
   if (std::isnan(low) || std::isnan(high)) return Interval::anything();
-  return Interval::of(down(low, steps), up(high, steps));
+  const double wider_low = down(low, steps), wider_high = up(high, steps);
+  return Interval::of(low >= 0 ? std::max(wider_low, 0.0) : wider_low,
+                      high <= 0 ? std::min(wider_high, 0.0) : wider_high);
 }
 
 Interval around(std::initializer_list<double> corners, int steps) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <limits>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -117,8 +118,13 @@ Result<std::unique_ptr<Model>> load_vm_model(std::string_view text, std::string_
     if (const std::string why = reader.add(words); !why.empty()) return refuse(line, why);
   }
   if (!reader.root()) return refuse(line, "no statement, so no solid");
-  const Graph::Id root = *reader.root();
-  return std::make_unique<ExprModel>(reader.take_graph(), root, bounds);
+  const Graph::Id value = *reader.root();
+  Graph graph = reader.take_graph();
+  // The format's inside is f < 0, ours f <= 0: models rely on it and are 0 on whole planes. The
+  // least number there is moves 0 outside and nothing else.
+  const Graph::Id least = graph.constant(std::numeric_limits<double>::denorm_min());
+  const Graph::Id root = graph.binary(Op::kAdd, value, least);
+  return std::make_unique<ExprModel>(std::move(graph), root, bounds);
 }
 
 }  // namespace slipstick

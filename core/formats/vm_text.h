@@ -13,7 +13,8 @@ inline constexpr std::size_t kVmBytesMax = std::size_t{64} << 20;
 inline constexpr std::size_t kVmStatementsMax = std::size_t{1} << 20;
 
 /// Reads an expression as Fidget writes it (`.vm`): a statement `name op operands…` a line, `#`
-/// before comments, the last statement is f. Lenient about blanks and CR LF. f <= 0 is inside.
+/// before comments, the last statement is f. Lenient about blanks and CR LF. Inside is f < 0,
+/// strictly, as the format has it.
 ///
 /// \param bounds the extent in the model's units: the text has none.
 /// \return kInput with `name` and the line of the first fault. `rand` and `mix` are refused: they
