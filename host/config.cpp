@@ -49,8 +49,10 @@ bool is_file_name(std::string_view name) {
 std::vector<fs::path> toml_files(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    if (entry.path().extension() == ".toml") files.push_back(entry.path());
+  const fs::directory_iterator end;
+  for (fs::directory_iterator entry(folder, error); !error && entry != end;
+       entry.increment(error)) {
+    if (entry->path().extension() == ".toml") files.push_back(entry->path());
   }
   std::sort(files.begin(), files.end());
   return files;
@@ -78,7 +80,8 @@ Result<std::string> contents_of(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::string text(kFileSizeMax + 1, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (!file.is_open() || file.bad() || fs::is_directory(path)) {
+  // A folder opens, and fails to read.
+  if (!file.is_open() || file.bad()) {
     return fail(ErrorCode::kUnavailable,
                 fmt::format("{}: cannot be read; is the path right?", path.string()));
   }

@@ -18,7 +18,8 @@ struct TriangleMesh {
   std::vector<Triangle> triangles;
 };
 
-/// Limits of a mesh file; what is larger is refused before it takes memory.
+/// Limits of a mesh file; what is larger is refused. Memory is bounded by the bytes, whatever they
+/// say.
 inline constexpr std::size_t kMeshBytesMax = std::size_t{1} << 31;
 inline constexpr std::size_t kMeshElementsMax = std::size_t{1} << 26;
 /// Coordinates beyond this are taken for damage.

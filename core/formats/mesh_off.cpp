@@ -2,6 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
 #include "core/base/number_text.h"
 #include "core/formats/mesh_build.h"
 #include "core/formats/mesh_words.h"

@@ -5,6 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "core/base/number_text.h"
 #include "core/formats/mesh_build.h"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -23,6 +24,7 @@ template <typename T>
 class SettingField {
  public:
   template <typename Member>
+  requires std::convertible_to<Member, T& (*)(PrintSettings&)>
   constexpr SettingField(Member member) : write_(member), read_(member) {}
 
   T& operator()(PrintSettings& settings) const { return write_(settings); }

@@ -1,6 +1,8 @@
 #include "core/solid/mesh_model.h"
 
+#include <array>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <map>
@@ -120,9 +122,10 @@ TEST_CASE("A tetrahedron's samples are those of its planes") {
 TEST_CASE("A fine sphere is the ball but for its chords, in any pose") {
   const double radius = 5;
   const MeshModel model(sphere_mesh(5, radius));
-  // A triangle's longest side is below 2·radius·(pi/2)/2^5; its chord lies at most side²/(6·radius)
-  // inside the sphere.
-  const double depth = 0.05;
+  // Divided in 2^5, a side of an octahedron is radius*sqrt(2)/32, and blowing it up stretches it by
+  // at most sqrt(3). For a point p of a triangle on the sphere, radius^2 - |p|^2 <= side^2 / 3.
+  const double side = std::sqrt(6.0) * radius / 32;
+  const double depth = side * side / (5.9 * radius);
   for (const Affine3& map : {Affine3{}, tilted(), rotation_degrees({90, 0, 45})}) {
     const auto solid = model.placed(map);
     for (const double z : {-4.0, -0.3, 0.0, 2.5}) {
