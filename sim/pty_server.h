@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "core/base/result.h"
-#include "sim/printer.h"
 #include "drivers/unique_fd.h"
+#include "sim/printer.h"
 
 namespace slipstick {
 

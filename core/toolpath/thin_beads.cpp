@@ -141,7 +141,11 @@ std::vector<Bead> thin_beads(const ThinRegion& thin) {
     }
   }
   std::vector<Bead> beads;
-  for (const Chain& chain : chains_of(lines, thin.kept)) beads.push_back(maker.bead_of(chain));
+  for (const Chain& chain : chains_of(lines, thin.kept)) {
+    // A gap inside a single ring comes down to one node; nothing hangs on it.
+    const bool is_needless = thin.edge > 0 && chain.nodes.size() == 1;
+    if (!is_needless) beads.push_back(maker.bead_of(chain));
+  }
   return beads;
 }
 

@@ -23,7 +23,7 @@ struct Temperatures {
   std::optional<HeaterReading> bed;
   std::optional<HeaterReading> chamber;
   std::vector<HeaterReading> tools;  ///< `T0:`, `T1:`, … when the printer has several.
-  bool waiting = false;       ///< A blocking command is heating up: the report has a `W:`.
+  bool waiting = false;              ///< A blocking command is heating up: the report has a `W:`.
 
   friend bool operator==(const Temperatures&, const Temperatures&) = default;
 };
