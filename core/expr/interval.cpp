@@ -160,10 +160,21 @@ Interval compare(const Interval& a, const Interval& b) {
                                         : 1);
 }
 
+bool bounded(const Interval& a) {
+  return std::isfinite(a.low) && std::isfinite(a.high);
+}
+
+// Operations that give NaN for some infinite operand: ∞ - ∞, 0·∞, ∞/∞, the remainder of ∞.
+bool may_cancel(Op op) {
+  return op == Op::kAdd || op == Op::kSubtract || op == Op::kMultiply || op == Op::kDivide ||
+         op == Op::kModulo;
+}
+
 }  // namespace
 
 Interval apply(Op op, const Interval& a, const Interval& b) {
   if (a.may_be_nan || (is_binary(op) && b.may_be_nan)) return Interval::anything();
+  if (may_cancel(op) && !(bounded(a) && bounded(b))) return Interval::anything();
   switch (op) {
     case Op::kAdd:
       return widened(a.low + b.low, a.high + b.high, kBasicSteps);
