@@ -12,17 +12,17 @@ local methods = raw.methods
 
 local function number(value, what, level)
   if type(value) ~= "number" or value ~= value or value == huge or value == -huge then
-    error(what .. " must be a number", (level or 1) + 2)
+    error(what .. " must be a number", (level or 1) + 3)
   end
   return value
 end
 local function positive(value, what)
-  if number(value, what, 2) <= 0 then error(what .. " must be greater than 0", 3) end
+  if number(value, what, 2) <= 0 then error(what .. " must be greater than 0", 4) end
   return value
 end
 local function solid(value, what)
   if type(value) == "number" then return x * 0 + value end
-  if type(value) ~= "userdata" then error(what .. " must be a solid", 3) end
+  if type(value) ~= "userdata" then error(what .. " must be a solid", 4) end
   return value
 end
 
@@ -42,7 +42,7 @@ function box(sx, sy, sz, rounding)
   positive(sx, "box: x size") positive(sy, "box: y size") positive(sz, "box: z size")
   local r = number(rounding or 0, "box: rounding")
   if r < 0 or 2 * r > math.min(sx, sy, sz) then
-    error("box: rounding must be 0 to half the smallest side", 2)
+    error("box: rounding must be 0 to half the smallest side", 3)
   end
   local hx, hy, hz = sx / 2, sy / 2, sz / 2
   local qx, qy, qz = abs(x) - (hx - r), abs(y) - (hy - r), abs(z) - (hz - r)
@@ -61,7 +61,7 @@ end
 -- From radius r1 at the bottom to r2 at the top.
 function cone(r1, r2, h)
   number(r1, "cone: bottom radius") number(r2, "cone: top radius") positive(h, "cone: height")
-  if r1 < 0 or r2 < 0 or r1 + r2 == 0 then error("cone: radii must not be negative, nor both 0", 2) end
+  if r1 < 0 or r2 < 0 or r1 + r2 == 0 then error("cone: radii must not be negative, nor both 0", 3) end
   local slope = math.sqrt(h * h + (r1 - r2) ^ 2)
   local side = ((norm(x, y) - (r1 + r2) / 2) * h + z * (r1 - r2)) / slope
   local r = math.max(r1, r2)
@@ -78,7 +78,7 @@ end
 function half_space(nx, ny, nz, d)
   number(nx, "half_space: normal") number(ny, "half_space: normal") number(nz, "half_space: normal")
   local l = math.sqrt(nx * nx + ny * ny + nz * nz)
-  if l == 0 then error("half_space: the normal must not be 0", 2) end
+  if l == 0 then error("half_space: the normal must not be 0", 3) end
   return (x * nx + y * ny + z * nz) / l - number(d, "half_space: distance")
 end
 
@@ -87,7 +87,7 @@ function capsule(x1, y1, z1, x2, y2, z2, r)
   positive(r, "capsule: radius")
   local dx, dy, dz = x2 - x1, y2 - y1, z2 - z1
   local l2 = dx * dx + dy * dy + dz * dz
-  if l2 == 0 then error("capsule: the ends must differ; use sphere", 2) end
+  if l2 == 0 then error("capsule: the ends must differ; use sphere", 3) end
   local t = min(max(((x - x1) * dx + (y - y1) * dy + (z - z1) * dz) / l2, 0), 1)
   local f = norm(x - x1 - t * dx, y - y1 - t * dy, z - z1 - t * dz) - r
   local lo, hi = math.min, math.max
@@ -136,7 +136,7 @@ end
 -- Set operations.
 local function folded(name, join, ...)
   local n = select("#", ...)
-  if n == 0 then error(name .. " needs at least one solid", 3) end
+  if n == 0 then error(name .. " needs at least one solid", 4) end
   local result
   for i = 1, n do
     local s = solid((select(i, ...)), name .. ": argument " .. i)
@@ -146,8 +146,8 @@ local function folded(name, join, ...)
 end
 local function two(f) return function(a, b) return f(a, b) end end
 
-function union(...) return folded("union", two(min), ...) end
-function intersection(...) return folded("intersection", two(max), ...) end
+function union(...) return (folded("union", two(min), ...)) end
+function intersection(...) return (folded("intersection", two(max), ...)) end
 function difference(a, ...)
   solid(a, "difference: argument 1")
   if select("#", ...) == 0 then return a end
@@ -164,7 +164,7 @@ local function smooth_min(k)
 end
 function smooth_union(k, ...)
   positive(k, "smooth_union: width")
-  return folded("smooth_union", smooth_min(k), ...)
+  return (folded("smooth_union", smooth_min(k), ...))
 end
 local function smooth_max(k)
   return function(a, b)
@@ -174,7 +174,7 @@ local function smooth_max(k)
 end
 function smooth_intersection(k, ...)
   positive(k, "smooth_intersection: width")
-  return folded("smooth_intersection", smooth_max(k), ...)
+  return (folded("smooth_intersection", smooth_max(k), ...))
 end
 function smooth_difference(k, a, ...)
   positive(k, "smooth_difference: width")
@@ -198,14 +198,14 @@ function methods.scale(s, sx, sy, sz)
 end
 -- Adds the mirror image in the plane through the origin across `axis`.
 function methods.mirror(s, axis)
-  if axis ~= "x" and axis ~= "y" and axis ~= "z" then error('mirror: axis must be "x", "y" or "z"', 2) end
+  if axis ~= "x" and axis ~= "y" and axis ~= "z" then error('mirror: axis must be "x", "y" or "z"', 3) end
   return min(s, raw.scaled(s, axis == "x" and -1 or 1, axis == "y" and -1 or 1, axis == "z" and -1 or 1))
 end
 -- nx * ny * nz copies, px, py, pz apart, the first in place. Copies must not reach beyond their cells.
 function methods.array(s, px, py, pz, nx, ny, nz)
   local function axis(v, p, n, what)
     n = n or 1
-    if math.type(n) ~= "integer" or n < 1 then error("array: count must be a whole number from 1", 3) end
+    if math.type(n) ~= "integer" or n < 1 then error("array: count must be a whole number from 1", 4) end
     if n == 1 then return v end
     positive(p, "array: spacing in " .. what)
     return v - p * min(max(floor(v / p + 0.5), 0), n - 1)
@@ -226,7 +226,7 @@ end
 function methods.bounds(s, x0, y0, z0, x1, y1, z1)
   for _, v in ipairs({x0, y0, z0, x1, y1, z1}) do number(v, "bounds") end
   if z1 == nil or x0 >= x1 or y0 >= y1 or z0 >= z1 then
-    error("bounds: six numbers, x0, y0, z0 below x1, y1, z1", 2)
+    error("bounds: six numbers, x0, y0, z0 below x1, y1, z1", 3)
   end
   return raw.bounded(s, x0, y0, z0, x1, y1, z1)
 end

@@ -111,6 +111,35 @@ void load(lua_State* lua, const Source& source) {
   }
 }
 
+// Calls the Lua function in its upvalue. A script that ends with `return sphere(0)` is gone from
+// the stack by the time `sphere` complains, and its line with it; called from C, it stays.
+int call_wrapped(lua_State* lua) {
+  lua_pushvalue(lua, lua_upvalueindex(1));
+  lua_insert(lua, 1);
+  lua_call(lua, lua_gettop(lua) - 1, LUA_MULTRET);
+  return lua_gettop(lua);
+}
+
+// Wraps the Lua functions of the table on top of the stack.
+void wrap_functions(lua_State* lua) {
+  for (lua_pushnil(lua); lua_next(lua, -2) != 0; lua_pop(lua, 1)) {
+    if (!lua_isfunction(lua, -1) || lua_iscfunction(lua, -1)) continue;
+    lua_pushvalue(lua, -2);
+    lua_pushvalue(lua, -2);
+    lua_pushcclosure(lua, call_wrapped, 1);
+    lua_rawset(lua, -5);
+  }
+}
+
+void wrap_prelude(lua_State* lua) {
+  lua_pushglobaltable(lua);
+  wrap_functions(lua);
+  lua_getfield(lua, -1, "raw");
+  lua_getfield(lua, -1, "methods");
+  wrap_functions(lua);
+  lua_pop(lua, 3);
+}
+
 // Runs in protected mode, with the script's `Source` as its only argument.
 int run_script(lua_State* lua) {
   const Source script = *static_cast<const Source*>(lua_touserdata(lua, 1));
@@ -119,6 +148,7 @@ int run_script(lua_State* lua) {
   open_lua_expressions(lua, *graph);
   load(lua, {lua_prelude(), "=prelude"});
   lua_call(lua, 0, 0);
+  wrap_prelude(lua);
   lua_pushnil(lua);
   lua_setglobal(lua, "raw");
   load(lua, script);
@@ -156,6 +186,9 @@ class State {
     }
     if (status != LUA_OK) {
       const char* message = lua_tostring(lua_, -1);
+      if (message != nullptr && !std::string_view(message).starts_with(name)) {
+        return refuse(name, one_line(message));
+      }
       return fail(ErrorCode::kInput,
                   one_line(message != nullptr ? message
                                               : fmt::format("{}: the script raised an error that "

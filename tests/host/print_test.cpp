@@ -36,7 +36,7 @@ std::string solid(const std::string& name) {
 
 TEST_CASE("A lattice prints right over a noisy cable, and the noise was there") {
   const auto report = print({solid("schwarz_cube.lua"), "--scale", "0.4", "--port",
-                             "sim:?seed=7&corrupt=0.0005", "--layer-height", "0.3"});
+                             "sim:?seed=7&corrupt=0.0001", "--layer-height", "0.3"});
 
   check_right(report);
   CHECK(report["sim"]["bytes_damaged"] > 0);
