@@ -2,11 +2,12 @@
 
 namespace slipstick {
 
+namespace {
+
 // `raw` holds the functions of lua_expression.cpp: raw.bounded(e, six numbers), raw.rotated(e,
 // three), raw.scaled(e, three), raw.moved(e, three), raw.remapped(e, x, y, z), raw.box(e),
 // raw.methods. Errors are raised at the level of the script's own line.
-std::string_view lua_prelude() {
-  return R"lua(
+constexpr std::string_view kPrelude = R"lua(
 local raw, huge, pi = raw, math.huge, math.pi
 local methods = raw.methods
 
@@ -231,6 +232,11 @@ function methods.bounds(s, x0, y0, z0, x1, y1, z1)
   return raw.bounded(s, x0, y0, z0, x1, y1, z1)
 end
 )lua";
+
+}  // namespace
+
+std::string_view lua_prelude() {
+  return kPrelude;
 }
 
 }  // namespace slipstick
