@@ -93,6 +93,7 @@ class Sampler {
 }  // namespace
 
 Result<BitImage> sample(Section& section, const SliceGrid& grid) {
+  if (BitImage image(grid); section.paint(image)) return image;
   Sampler sampler(grid);
   sampler.split(section, {1, 1, grid.columns() - 2, grid.rows() - 2}, kTileSizeMax);
   if (const auto& p = sampler.undefined()) {

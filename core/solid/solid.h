@@ -16,6 +16,8 @@ namespace slipstick {
 /// \file
 /// Implicit solids (paper, section 1, definition 1): the points with f(p) <= 0.
 
+class BitImage;
+
 /// What is known of a rectangle of a section without looking at its points.
 enum class Cover : std::uint8_t { kMixed, kInside, kOutside };
 
@@ -43,6 +45,19 @@ class Section {
   /// same answers in the box for less work. `kInside` and `kOutside` are certain for every point of
   /// it.
   [[nodiscard]] virtual Narrowed narrowed(const Box2& box) = 0;
+
+  /// f itself at the points, for solids that have values and not only an inside; \return false, and
+  /// `values` untouched, where there are none. `classify` is 1 exactly where the value is <= 0.
+  /// \pre The three spans have one length.
+  virtual bool evaluate(std::span<const double> /*xs*/, std::span<const double> /*ys*/,
+                        std::span<double> /*values*/) {
+    return false;
+  }
+
+  /// Sets the bits of all nodes within the ring of `image`, which is empty, for solids that know
+  /// better than asking tile by tile; \return false, and `image` untouched, where they do not.
+  /// The bits are those `classify` gives.
+  virtual bool paint(BitImage& /*image*/) { return false; }
 
   /// A point at which f was NaN, if `classify` met one, of this section or of one narrowed from it.
   [[nodiscard]] virtual std::optional<Vec2> undefined_at() const { return {}; }
