@@ -1,5 +1,6 @@
 #include "tests/support/expression_bytes.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -96,7 +97,8 @@ ByteExpression expression_of(std::span<const std::uint8_t> input) {
   e.box.low = {bytes.small(), bytes.small(), bytes.small()};
   const double size = std::exp2(bytes.next() % 8 - 3);  // mm
   e.box.high = e.box.low + Vec3{size, size / (1 + bytes.next() % 3), size};
-  e.sampling = size / (2 + bytes.next() % 80);
+  e.sampling =
+      std::clamp(size / (2 + bytes.next() % 80), SliceGrid::kWidthMin, SliceGrid::kWidthMax);
   std::vector<Graph::Id> known{e.graph.variable(Op::kX), e.graph.variable(Op::kY)};
   for (int i = 0; i < kByteStepsMax && !bytes.done(); ++i) {
     known.push_back(next_step(e.graph, bytes, known));
