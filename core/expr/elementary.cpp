@@ -7,11 +7,20 @@
 #include <cstdint>
 #include <limits>
 
-#include "core/expr/lane.h"
-#include "core/expr/sine_kernel.h"
+#include "core/expr/pi_reduction.h"
 
 namespace slipstick {
 namespace {
+
+// A double as a vector of one lane.
+double choose(bool mask, double yes, double no) {
+  return mask ? yes : no;
+}
+double absolute_of(double x) {
+  return std::abs(x);
+}
+
+#include "core/expr/sine_kernel-inl.h"
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kPi = 0x1.921fb54442d18p+1, kPiRest = 0x1.1a62633145c07p-53;

@@ -1,11 +1,7 @@
-#pragma once
-
-#include "core/expr/lane.h"
-#include "core/expr/pi_reduction.h"
-
-namespace slipstick {
-
 /// \file
+/// To be included within a namespace, once for each set of machine instructions (no guard): what is
+/// compiled for wider vectors must be defined there. Needs core/expr/pi_reduction.h.
+///
 /// Sine and cosine after reduction to an octant either side of zero, for one double or for a vector
 /// of them: `F` has + - * and unary -, `choose(mask, yes, no)`, and comparisons that give masks.
 /// Every lane goes through the same operations, so that all widths give the same bits.
@@ -93,5 +89,3 @@ F sine_of(const QuarterTurns<F>& r, double ahead) {
 
 /// Below, sine and tangent are their argument, sign of zero included.
 inline constexpr double kTiny = 0x1p-27;
-
-}  // namespace slipstick
