@@ -25,6 +25,13 @@ struct Simplified {
   double max_regional_distortion = 0;  ///< mm³, the paper's D' (equation 5).
 };
 
+/// The fewest edges that windows of `tolerance` about the places allow, vertices at one of three
+/// candidates on their sticks; among the fewest the least distortion. Exact for the loop cut at one
+/// of its vertices, and cut again at a vertex of that result: then at most one edge more than any
+/// choice of candidates could do.
+[[nodiscard]] Simplified simplify_fewest(const ContourSet& contours,
+                                         const SimplifyOptions& options);
+
 /// All vertices as they are.
 [[nodiscard]] Simplified keep_all(const ContourSet& contours);
 
