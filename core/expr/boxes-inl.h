@@ -154,6 +154,7 @@ Bounds bounds_of_binary(Op op, Bounds a, Bounds b) {
 Bounds bounds_with_constant(Code code, Bounds a, Lanes c) {
   switch (code) {
     case Code::kAddConstant:
+    case Code::kAddLeast:
       return sum_of(a, {c, c});
     case Code::kConstantMinus:
       return sum_of({c, c}, negative_of(a));

@@ -73,6 +73,7 @@ void run_with_constant(const PointRun& run, const Instruction& step) {
   const Lanes c(step.code == Code::kCopy ? 0.0 : run.constants[step.b]);
   switch (step.code) {
     case Code::kAddConstant:
+    case Code::kAddLeast:
       return each(run, step, [c](Lanes p) HWY_ATTR { return p + c; });
     case Code::kConstantMinus:
       return each(run, step, [c](Lanes p) HWY_ATTR { return c - p; });

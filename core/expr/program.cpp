@@ -1,6 +1,6 @@
 #include "core/expr/program.h"
 
-#include <array>
+#include <limits>
 
 #include "core/base/check.h"
 #include "core/expr/specialize.h"
@@ -38,7 +38,9 @@ class Writer {
     const std::uint32_t b = register_of_[step.b];
     const Tape::Step &left = tape_.steps[step.a], &right = tape_.steps[step.b];
     if (right.op == Op::kConstant) {
-      if (step.op == Op::kAdd) return {Code::kAddConstant, out, a, constant(right.value)};
+      const bool least = right.value == std::numeric_limits<double>::denorm_min();
+      const Code add = least ? Code::kAddLeast : Code::kAddConstant;
+      if (step.op == Op::kAdd) return {add, out, a, constant(right.value)};
       if (step.op == Op::kSubtract) return {Code::kAddConstant, out, a, constant(-right.value)};
       if (step.op == Op::kMultiply) return {Code::kScale, out, a, constant(right.value)};
     }

@@ -14,6 +14,7 @@ namespace slipstick {
 enum class Code : std::uint8_t {
   kCopy = static_cast<std::uint8_t>(Op::kOr) + 1,
   kAddConstant,    ///< a + constants[b]; a - c, too, which is a + (-c) to the bit
+  kAddLeast,       ///< The same with the least positive double: <= 0 where a < 0
   kConstantMinus,  ///< constants[b] - a
   kScale,          ///< a · constants[b]
 };

@@ -24,7 +24,7 @@ bool is_choice(Code code) {
 
 // The sign of the result is that of the operands, or of one of them.
 bool passes_sign(Code code) {
-  return is_choice(code) || code == code_of(Op::kNegate);
+  return is_choice(code) || code == code_of(Op::kNegate) || code == Code::kAddLeast;
 }
 
 // The operand that stands for the whole, if one does.
