@@ -34,7 +34,7 @@ LayerSlicer::LayerSlicer(const PlacedSolid& placed, const SliceGrid& grid, const
 Result<SlicedLayer> LayerSlicer::slice(int layer) {
   const auto image = images_.image(layer);
   if (!image) return fail(image.error());
-  SlicedLayer result = contours(layer, **image);
+  SlicedLayer result = contours(layer, *image);
   if (goal_ == SliceGoal::kToolpaths) {
     if (const auto ok = add_toolpaths(**image, result); !ok) return fail(ok.error());
   }
@@ -45,20 +45,21 @@ void LayerSlicer::finished_below(int layer) {
   images_.forget_below(layer - settings_.toolpath.bottom_layers);
 }
 
-SlicedLayer LayerSlicer::contours(int layer, const BitImage& image) const {
+SlicedLayer LayerSlicer::contours(int layer, const ImageWindow::Image& image) const {
   StepSeconds seconds;
   Stopwatch watch;
-  ContourSet traced = trace(image, settings_.slicing.ambiguity);
+  ContourSet traced = trace(*image, settings_.slicing.ambiguity);
   seconds.contour = watch.lap();
   place(traced, stack_.middle(layer));
   seconds.place = watch.lap();
   Simplified simplified = simplify(traced);
   seconds.simplify = watch.lap();
-  const std::size_t violations = count_violations(simplified.outline, image);
+  const std::size_t violations = count_violations(simplified.outline, *image);
   seconds.verify = watch.lap();
   return {layer,
           stack_.middle(layer),
           stack_.top(layer),
+          image,
           std::move(simplified),
           violations,
           traced.ambiguous_squares(),

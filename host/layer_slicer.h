@@ -33,7 +33,7 @@ class LayerSlicer {
   [[nodiscard]] const LayerStack& stack() const { return stack_; }
 
  private:
-  [[nodiscard]] SlicedLayer contours(int layer, const BitImage& image) const;
+  [[nodiscard]] SlicedLayer contours(int layer, const ImageWindow::Image& image) const;
   void place(ContourSet& contours, double z) const;
   [[nodiscard]] Simplified simplify(const ContourSet& contours) const;
   [[nodiscard]] Result<void> add_toolpaths(const BitImage& image, SlicedLayer& layer);

@@ -30,6 +30,10 @@ nlohmann::ordered_json slicing_report(const SlicingJob& job, const PrintSettings
   json["max_deviation"] = t.max_deviation;
   json["max_regional_distortion"] = t.max_regional_distortion;
   json["ambiguous_squares"] = t.ambiguous_squares;
+  const Topology topology = job.topology();
+  json["topology"] = {{"components", topology.components},
+                      {"tunnels", topology.tunnels},
+                      {"cavities", topology.cavities}};
   json["verified"] = {{"layers", t.layers}, {"violations", t.violations}};
   json["filament_mm"] = t.filament_mm;
   json["estimated_print_seconds"] = t.print_seconds;

@@ -5,6 +5,7 @@
 
 #include "core/contour/simplify.h"
 #include "core/gcode/layer_program.h"
+#include "core/image/bit_image.h"
 #include "core/toolpath/path.h"
 
 namespace slipstick {
@@ -36,6 +37,7 @@ struct SlicedLayer {
   int index = 0;
   double middle = 0;  ///< mm: height of the slicing plane.
   double top = 0;     ///< mm: upper face.
+  std::shared_ptr<const BitImage> image;
   Simplified contours;
   std::size_t violations = 0;
   std::int64_t ambiguous_squares = 0;

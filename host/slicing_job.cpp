@@ -40,7 +40,8 @@ SlicingJob::SlicingJob(const PlacedSolid& placed, const SliceGrid& grid, const L
       first_(request.first_layer),
       end_(std::min(request.end_layer.value_or(stack.count()), stack.count())),
       threads_(thread_count(request.threads)),
-      slicer_(placed, grid, stack, request.settings, request.goal) {
+      slicer_(placed, grid, stack, request.settings, request.goal),
+      ledger_(request.settings.slicing.ambiguity) {
   crew_ = std::make_unique<OrderedCrew<SlicedLayer>>(
       OrderedCrew<SlicedLayer>::Options{first_, end_, threads_, threads_ + kReserve},
       [this](int layer) { return slicer_.slice(layer); });
@@ -57,6 +58,7 @@ Result<std::optional<SlicedLayer>> SlicingJob::next() {
 
 void SlicingJob::add(const SlicedLayer& layer) {
   ++totals_.layers;
+  ledger_.add(*layer.image);
   totals_.edges_before += layer.contours.edges_before;
   totals_.edges_after += layer.contours.outline.edges();
   totals_.max_deviation = std::max(totals_.max_deviation, layer.contours.max_deviation);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "core/contour/ledger.h"
 #include "host/layer_slicer.h"
 #include "host/ordered_crew.h"
 
@@ -50,6 +51,8 @@ class SlicingJob {
   [[nodiscard]] bool ready() const { return crew_->ready(); }
 
   [[nodiscard]] const SlicingTotals& totals() const { return totals_; }
+  /// Of the layers handed over so far.
+  [[nodiscard]] Topology topology() const { return ledger_.topology(); }
   [[nodiscard]] const SliceGrid& grid() const { return grid_; }
   [[nodiscard]] const LayerStack& stack() const { return slicer_.stack(); }
   [[nodiscard]] int first_layer() const { return first_; }
@@ -67,6 +70,7 @@ class SlicingJob {
   const int threads_;
   LayerSlicer slicer_;
   SlicingTotals totals_;
+  StackLedger ledger_;
   std::unique_ptr<OrderedCrew<SlicedLayer>> crew_;  // last: its workers use what stands above
 };
 
