@@ -43,10 +43,10 @@ struct Block {
 
 class Certifier {
  public:
-  Certifier(const BitImage& image, double z, double above)
-      : grid_(image.grid()), z_(z), above_(above) {
-    result_.cells = squares_passed(image);
-  }
+  enum class Look : std::uint8_t { kCurveAndSlab, kSlab };
+
+  Certifier(const SliceGrid& grid, double z, double above, Look at)
+      : grid_(grid), z_(z), above_(above), curve_(at == Look::kCurveAndSlab) {}
 
   LayerCertificate run(Field& field) {
     const auto across = static_cast<unsigned>(std::max(grid_.columns(), grid_.rows()) - 1);
@@ -81,6 +81,7 @@ class Certifier {
     if (range.no_surface() || range.x.never_zero() || range.y.never_zero()) return;
     if (b.size == 1) return judge_square(field, b, range, open);
     if (open) open = !settled(b, range);
+    if (!open && !curve_) return;
     const auto narrowed =
         b.size > kNarrowBlock ? field.narrowed(box_of(b, open ? above_ : z_)) : nullptr;
     Field& inner = narrowed ? *narrowed : field;
@@ -105,7 +106,7 @@ class Certifier {
   }
 
   void judge_square(Field& field, const Block& b, const GradientRange& range, bool open) {
-    if (!open || above_ > z_) judge_curve(b, open ? field.over(box_of(b, z_)) : range);
+    if (curve_) judge_curve(b, open ? field.over(box_of(b, z_)) : range);
     if (!open || no_critical_point(range)) return;
     const ColumnVerdict verdict = judge_column(field, box_of(b, above_));
     boxes_ += verdict.boxes;
@@ -125,6 +126,7 @@ class Certifier {
   const SliceGrid grid_;
   const double z_;
   const double above_;
+  const bool curve_;
   std::int64_t boxes_ = 0;
   std::vector<EventSquare> hidden_;
   std::vector<EventSquare> steps_;
@@ -138,8 +140,26 @@ std::int64_t LayerCertificate::hidden() const {
                        [](const SlabEvent& e) { return e.kind == SlabEvent::Kind::kHidden; });
 }
 
+LayerCertificate& LayerCertificate::operator+=(const LayerCertificate& other) {
+  cells += other.cells;
+  uncertified += other.uncertified;
+  for (const Vec2 p : other.uncertified_at) {
+    if (uncertified_at.size() < kPlacesMax) uncertified_at.push_back(p);
+  }
+  events.insert(events.end(), other.events.begin(), other.events.end());
+  complete = complete && other.complete;
+  return *this;
+}
+
 LayerCertificate certify_layer(Field& field, const BitImage& image, double z, double above) {
-  return Certifier(image, z, above).run(field);
+  LayerCertificate result =
+      Certifier(image.grid(), z, above, Certifier::Look::kCurveAndSlab).run(field);
+  result.cells = squares_passed(image);
+  return result;
+}
+
+LayerCertificate certify_slab(Field& field, const SliceGrid& grid, double z, double above) {
+  return Certifier(grid, z, above, Certifier::Look::kSlab).run(field);
 }
 
 }  // namespace slipstick

@@ -40,6 +40,9 @@ struct LayerCertificate {
   /// False: there was too much to look at, `kCertifyBoxesMax` boxes; nothing is known of the rest.
   bool complete = true;
 
+  /// Adds what was found elsewhere.
+  LayerCertificate& operator+=(const LayerCertificate& other);
+
   [[nodiscard]] std::int64_t hidden() const;
   /// Nothing is left open: the slice is isotopic to the solid's section at z, and whatever topology
   /// there is up to the next plane shows in the two slices.
@@ -60,7 +63,11 @@ struct LayerCertificate {
 [[nodiscard]] LayerCertificate certify_layer(Field& field, const BitImage& image, double z,
                                              double above);
 
-inline constexpr std::int64_t kCertifyBoxesMax = 500'000;
+/// The slab alone, for those below the first slice and above the last.
+[[nodiscard]] LayerCertificate certify_slab(Field& field, const SliceGrid& grid, double z,
+                                            double above);
+
+inline constexpr std::int64_t kCertifyBoxesMax = 200'000;
 inline constexpr int kEventSplits = 3;
 inline constexpr std::size_t kPlacesMax = 8;
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "core/expr/slope.h"
@@ -33,16 +34,36 @@ class GradientEvaluator {
  public:
   /// The range of `tape` over `box` as real numbers: rounding errors of a point evaluator are not
   /// part of it. The value is the better of the intervals operation by operation and the mean value
-  /// form f(c) + f'(box)·(box - c), which is tighter in small boxes.
+  /// form f(c) + f'(box)·(box - c), which is tighter in small boxes. Slopes are the hull over the
+  /// branches of the function: its Clarke gradient is in the hull of the gradients of its pieces.
   [[nodiscard]] GradientRange over(const Tape& tape, const Box3& box);
 
   /// Directions of which slopes are kept: x, y, z, x + y, y - x.
   static constexpr std::size_t kDirections = 5;
   using Slopes = std::array<Slope, kDirections>;
 
+  /// Undecided pairs of min and max that are taken apart into branches, each with slopes of its
+  /// own; for more of them, the hull of both operands.
+  static constexpr std::size_t kChoicesMax = 6;
+
  private:
+  enum class Creases : std::uint8_t { kChosen, kHull };
+  // Of two operands, whether the first is the greater in this branch.
+  struct Choice {
+    std::uint32_t first = 0;
+    std::uint32_t second = 0;
+    bool turned = false;
+  };
+
+  [[nodiscard]] Slopes slopes_of_all_branches(const Tape& tape);
+  [[nodiscard]] Slopes slopes_of_branch(const Tape& tape, Creases creases);
+  [[nodiscard]] Slopes slopes_of_step(const Tape& tape, std::uint32_t i) const;
+  [[nodiscard]] std::optional<std::uint32_t> chosen(const Tape::Step& step);
+
   std::vector<Interval> values_;
   std::vector<Slopes> slopes_;
+  std::vector<std::uint32_t> stands_for_;
+  std::vector<Choice> choices_;
 };
 
 }  // namespace slipstick
