@@ -9,7 +9,7 @@
 namespace slipstick {
 
 /// Consecutive nodes of one row that are all inside, or all outside.
-struct Run {
+struct NodeRun {
   int first = 0;
   int last = 0;  ///< Included.
 };
@@ -28,10 +28,10 @@ class RunImage {
   [[nodiscard]] std::size_t end(int row) const {
     return begins_[static_cast<std::size_t>(row) + 1];
   }
-  [[nodiscard]] Run operator[](std::size_t run) const { return runs_[run]; }
+  [[nodiscard]] NodeRun operator[](std::size_t run) const { return runs_[run]; }
 
  private:
-  std::vector<Run> runs_;
+  std::vector<NodeRun> runs_;
   std::vector<std::size_t> begins_;
 };
 
