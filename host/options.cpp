@@ -22,7 +22,7 @@ struct Shorthand {
   const char* help;
 };
 
-constexpr std::array<Shorthand, 9> kShorthands{{
+constexpr std::array<Shorthand, 10> kShorthands{{
     {"--layer-height", "layer_height", "mm"},
     {"--first-layer-height", "first_layer_height", "mm"},
     {"--sampling", "sampling", "the paper's r', mm"},
@@ -31,6 +31,7 @@ constexpr std::array<Shorthand, 9> kShorthands{{
     {"--simplify", "simplify", "vsa, greedy or none"},
     {"--tolerance", "tolerance", "mm a simplified contour may be off"},
     {"--ambiguity", "ambiguity", "solid or void: what diagonal samples join"},
+    {"--certify", "certify", "strict, report or off: slices that cannot be proved"},
     {"--infill", "infill_density", "0 to 1"},
 }};
 

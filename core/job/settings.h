@@ -50,6 +50,9 @@ enum class Placement : std::uint8_t { kRoots, kSliding, kProjection, kMidpoints 
 /// How contours get fewer edges.
 enum class Simplification : std::uint8_t { kVsa, kGreedy, kNone };
 
+/// What becomes of slices that cannot be proved right.
+enum class Certification : std::uint8_t { kStrict, kReport, kOff };
+
 /// How the solid becomes contours (paper, sections 3 to 5).
 struct SlicingSettings {
   double layer_height = 0.2;
@@ -60,6 +63,7 @@ struct SlicingSettings {
   Placement place = Placement::kRoots;
   Simplification simplify = Simplification::kVsa;
   Ambiguity ambiguity = Ambiguity::kSolid;
+  Certification certify = Certification::kReport;
 };
 
 /// How contours become toolpaths.

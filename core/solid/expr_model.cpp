@@ -94,6 +94,22 @@ class ExprSection final : public Section {
   std::optional<Vec2> undefined_;
 };
 
+class ExprField final : public Field {
+ public:
+  explicit ExprField(Tape tape) : tape_(std::move(tape)) {}
+
+  [[nodiscard]] GradientRange over(const Box3& box) override { return evaluator_.over(tape_, box); }
+  [[nodiscard]] std::unique_ptr<Field> narrowed(const Box3& box) override {
+    Pruned pruned = prune(tape_, box);
+    if (pruned.tape.steps.empty()) return nullptr;
+    return std::make_unique<ExprField>(std::move(pruned.tape));
+  }
+
+ private:
+  Tape tape_;
+  GradientEvaluator evaluator_;
+};
+
 class ExprSolid final : public Solid {
  public:
   ExprSolid(Graph graph, Graph::Id root, const Box3& bounds)
@@ -102,6 +118,9 @@ class ExprSolid final : public Solid {
   [[nodiscard]] Box3 bounds() const override { return bounds_; }
   [[nodiscard]] std::unique_ptr<Section> section(double z) const override {
     return std::make_unique<ExprSection>(std::make_shared<Shared>(compile_at(graph_, root_, z)));
+  }
+  [[nodiscard]] std::unique_ptr<Field> field() const override {
+    return std::make_unique<ExprField>(compile(graph_, root_));
   }
 
  private:

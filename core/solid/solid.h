@@ -10,6 +10,7 @@
 #include "core/base/affine.h"
 #include "core/base/box.h"
 #include "core/base/vec.h"
+#include "core/solid/field.h"
 
 namespace slipstick {
 
@@ -82,6 +83,9 @@ class Solid {
   [[nodiscard]] virtual Box3 bounds() const = 0;
 
   [[nodiscard]] virtual std::unique_ptr<Section> section(double z) const = 0;
+
+  /// f and its gradient over boxes; null for solids that have none.
+  [[nodiscard]] virtual std::unique_ptr<Field> field() const { return nullptr; }
 };
 
 /// A solid as it was loaded, in its own frame and units, to be placed on the bed.
