@@ -48,7 +48,7 @@ struct MaterialSettings {
 enum class Placement : std::uint8_t { kRoots, kSliding, kProjection, kMidpoints };
 
 /// How contours get fewer edges.
-enum class Simplification : std::uint8_t { kVsa, kGreedy, kNone };
+enum class Simplification : std::uint8_t { kFewest, kVsa, kGreedy, kNone };
 
 /// How the solid becomes contours (paper, sections 3 to 5).
 struct SlicingSettings {
@@ -58,7 +58,7 @@ struct SlicingSettings {
   int alpha = 10;            ///< The paper's clustering ratio: one proxy for so many edges.
   double tolerance = 0.025;  ///< mm: Fréchet bound between simplified and placed contours.
   Placement place = Placement::kRoots;
-  Simplification simplify = Simplification::kVsa;
+  Simplification simplify = Simplification::kFewest;
   Ambiguity ambiguity = Ambiguity::kSolid;
 };
 
