@@ -108,6 +108,8 @@ void LayerSlicer::place(ContourSet& contours, double z) const {
 Simplified LayerSlicer::simplify(const ContourSet& contours) const {
   const SimplifyOptions options{settings_.slicing.tolerance, settings_.slicing.alpha};
   switch (settings_.slicing.simplify) {
+    case Simplification::kFewest:
+      return simplify_fewest(contours, options);
     case Simplification::kVsa:
       return simplify_vsa(contours, options);
     case Simplification::kGreedy:

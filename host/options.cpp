@@ -28,7 +28,7 @@ constexpr std::array<Shorthand, 10> kShorthands{{
     {"--sampling", "sampling", "the paper's r', mm"},
     {"--alpha", "alpha", "clustering ratio of --simplify vsa"},
     {"--place", "place", "roots, sliding, projection or midpoints"},
-    {"--simplify", "simplify", "vsa, greedy or none"},
+    {"--simplify", "simplify", "fewest, vsa, greedy or none"},
     {"--tolerance", "tolerance", "mm a simplified contour may be off"},
     {"--ambiguity", "ambiguity", "solid or void: what diagonal samples join"},
     {"--certify", "certify", "strict, report or off: slices that cannot be proved"},

@@ -48,7 +48,7 @@ struct MaterialSettings {
 enum class Placement : std::uint8_t { kRoots, kSliding, kProjection, kMidpoints };
 
 /// How contours get fewer edges.
-enum class Simplification : std::uint8_t { kVsa, kGreedy, kNone };
+enum class Simplification : std::uint8_t { kFewest, kVsa, kGreedy, kNone };
 
 /// What becomes of slices that cannot be proved right.
 enum class Certification : std::uint8_t { kStrict, kReport, kOff };
@@ -61,7 +61,7 @@ struct SlicingSettings {
   int alpha = 10;            ///< The paper's clustering ratio: one proxy for so many edges.
   double tolerance = 0.025;  ///< mm: Fréchet bound between simplified and placed contours.
   Placement place = Placement::kRoots;
-  Simplification simplify = Simplification::kVsa;
+  Simplification simplify = Simplification::kFewest;
   Ambiguity ambiguity = Ambiguity::kSolid;
   Certification certify = Certification::kReport;
 };

@@ -4,7 +4,7 @@ namespace slipstick {
 namespace {
 
 constexpr std::string_view kPlacements[] = {"roots", "sliding", "projection", "midpoints"};
-constexpr std::string_view kSimplifications[] = {"vsa", "greedy", "none"};
+constexpr std::string_view kSimplifications[] = {"fewest", "vsa", "greedy", "none"};
 constexpr std::string_view kAmbiguities[] = {"solid", "void"};
 constexpr std::string_view kCertifications[] = {"strict", "report", "off"};
 
@@ -43,9 +43,8 @@ constexpr Setting kRows[] = {
          [](PrintSettings& s, std::size_t i) {
            s.slicing.simplify = static_cast<Simplification>(i);
          }},
-     "How contours get fewer edges. vsa is the paper's; greedy is quicker and takes each edge as "
-     "far as it "
-     "goes; none shows the contours as placed."},
+     "How contours get fewer edges. fewest finds the fewest that the tolerance allows; vsa is the "
+     "paper's; greedy takes each edge as far as it goes; none shows the contours as placed."},
     {"ambiguity", SettingGroup::kSlicing, "",
      ChoiceSetting{
          kAmbiguities,

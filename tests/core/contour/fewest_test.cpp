@@ -1,10 +1,11 @@
 // Fewest edges: never farther off than the tolerance, never more edges than the paper's
-// segmentation or the greedy form.
+// segmentation or the greedy form, never fewer than the bound.
 #include <catch2/catch.hpp>
 
 #include "core/contour/simplify.h"
 #include "core/contour/trace.h"
 #include "tests/support/images.h"
+#include "tests/support/lower_bound.h"
 
 using namespace slipstick;
 
@@ -22,30 +23,78 @@ BitImage image(Rng& rng) {
                      0.1 + 0.8 * rng.unit());
 }
 
+struct Case {
+  ContourSet contours;
+  SimplifyOptions options;
+};
+
+Case drawn(std::uint64_t seed) {
+  Rng rng(seed);
+  Case c{trace(image(rng), rng.below(2) == 0 ? Ambiguity::kSolid : Ambiguity::kVoid), {}};
+  place_anyhow(c.contours, rng, 1 + rng.below(65535));
+  c.options.tolerance = rng.unit() * 0.1;
+  c.options.alpha = static_cast<int>(1 + rng.below(15));
+  return c;
+}
+
+std::size_t fewest_edges(const Case& c) {
+  return simplify_fewest(c.contours, c.options).outline.edges();
+}
+
 }  // namespace
 
-TEST_CASE("Fewest edges stay within the tolerance and are no more than others'") {
-  std::size_t fewest_sum = 0, vsa_sum = 0, greedy_sum = 0;
-  int over = 0, more = 0, more_greedy = 0;
-  for (std::uint64_t seed = 0; seed < 4000; ++seed) {
-    Rng rng(seed);
-    const BitImage bits = image(rng);
-    ContourSet contours = trace(bits, Ambiguity::kSolid);
-    place_anyhow(contours, rng, 1 + rng.below(65535));
-    SimplifyOptions options;
-    options.tolerance = rng.unit() * 0.1;
-    options.alpha = static_cast<int>(1 + rng.below(15));
-    const Simplified fewest = simplify_fewest(contours, options);
-    const auto edges = fewest.outline.edges();
-    const auto vsa = simplify_vsa(contours, options).outline.edges();
-    const auto greedy = simplify_greedy(contours, options).outline.edges();
-    over += fewest.max_deviation > options.tolerance + contours.grid().unit() ? 1 : 0;
-    more += edges > vsa ? 1 : 0;
-    more_greedy += edges > greedy ? 1 : 0;
-    fewest_sum += edges;
-    vsa_sum += vsa;
-    greedy_sum += greedy;
+TEST_CASE("Fewest edges stay within the tolerance") {
+  for (std::uint64_t seed = 0; seed < 600; ++seed) {
+    INFO("seed " << seed);
+    const Case c = drawn(seed);
+
+    const Simplified fewest = simplify_fewest(c.contours, c.options);
+
+    // A window is never shorter than one unit to each side of the contour's own place.
+    REQUIRE(fewest.max_deviation <= c.options.tolerance + c.contours.grid().unit());
   }
-  WARN(fewest_sum << " " << vsa_sum << " " << greedy_sum << " over " << over << " more " << more
-                  << " " << more_greedy);
+}
+
+TEST_CASE("Fewest edges are no more than those of the paper's segmentation or the greedy form") {
+  for (std::uint64_t seed = 0; seed < 600; ++seed) {
+    INFO("seed " << seed);
+    const Case c = drawn(seed);
+
+    const std::size_t edges = fewest_edges(c);
+
+    REQUIRE(edges <= simplify_vsa(c.contours, c.options).outline.edges());
+    REQUIRE(edges <= simplify_greedy(c.contours, c.options).outline.edges());
+  }
+}
+
+TEST_CASE("No choice of edges through the windows has fewer than the bound") {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    INFO("seed " << seed);
+    const Case c = drawn(seed);
+
+    REQUIRE(fewest_edges(c) >= test::fewest_edges_bound(c.contours, c.options.tolerance));
+  }
+}
+
+TEST_CASE("A straight side is one edge, so a square of samples has at most eight") {
+  const ContourSet contours =
+      trace(test::image_of({"#####", "#####", "#####", "#####", "#####"}), Ambiguity::kSolid);
+
+  const Simplified fewest = simplify_fewest(contours, {0.01, 10});
+
+  CHECK(fewest.outline.edges() <= 8);
+  CHECK(fewest.outline.edges() >= 4);
+}
+
+TEST_CASE("The same contours give the same outline, whatever was simplified before") {
+  const Case c = drawn(7);
+  const Simplified first = simplify_fewest(c.contours, c.options);
+  static_cast<void>(fewest_edges(drawn(8)));
+
+  const Simplified again = simplify_fewest(c.contours, c.options);
+
+  REQUIRE(first.outline.loops().size() == again.outline.loops().size());
+  for (std::size_t i = 0; i < first.outline.loops().size(); ++i) {
+    CHECK(first.outline.loops()[i].points == again.outline.loops()[i].points);
+  }
 }
