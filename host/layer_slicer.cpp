@@ -83,7 +83,10 @@ void LayerSlicer::certify(SlicedLayer& layer) const {
   const bool last = layer.index + 1 == stack_.count();
   const double above =
       last ? std::max(bounds_.high.z, layer.middle) + beyond : stack_.middle(layer.index + 1);
-  LayerCertificate certificate = certify_layer(*field, image, layer.middle, above);
+  const CertifyEffort effort = settings_.slicing.certify == Certification::kStrict
+                                   ? CertifyEffort::kThorough
+                                   : CertifyEffort::kQuick;
+  LayerCertificate certificate = certify_layer(*field, image, layer.middle, above, effort);
   if (layer.index == 0) {
     const double low = std::min(bounds_.low.z, layer.middle) - beyond;
     certificate += certify_slab(*field, image.grid(), low, layer.middle);

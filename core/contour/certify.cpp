@@ -45,8 +45,13 @@ class Certifier {
  public:
   enum class Look : std::uint8_t { kCurveAndSlab, kSlab };
 
-  Certifier(const SliceGrid& grid, double z, double above, Look at)
-      : grid_(grid), z_(z), above_(above), curve_(at == Look::kCurveAndSlab) {}
+  Certifier(const SliceGrid& grid, double z, double above, Look at,
+            std::int64_t boxes_max = kCertifyBoxesMax)
+      : grid_(grid),
+        z_(z),
+        above_(above),
+        curve_(at == Look::kCurveAndSlab),
+        boxes_max_(boxes_max) {}
 
   LayerCertificate run(Field& field) {
     const auto across = static_cast<unsigned>(std::max(grid_.columns(), grid_.rows()) - 1);
@@ -73,7 +78,7 @@ class Certifier {
   // `open`: the slab above the block is still to be looked at, not only its squares.
   void look(Field& field, const Block& b, bool open) {
     if (b.column >= grid_.columns() - 1 || b.row >= grid_.rows() - 1) return;
-    if (++boxes_ > kCertifyBoxesMax) {
+    if (++boxes_ > boxes_max_) {
       result_.complete = false;
       return;
     }
@@ -127,6 +132,7 @@ class Certifier {
   const double z_;
   const double above_;
   const bool curve_;
+  const std::int64_t boxes_max_;
   std::int64_t boxes_ = 0;
   std::vector<EventSquare> hidden_;
   std::vector<EventSquare> steps_;
@@ -151,10 +157,16 @@ LayerCertificate& LayerCertificate::operator+=(const LayerCertificate& other) {
   return *this;
 }
 
-LayerCertificate certify_layer(Field& field, const BitImage& image, double z, double above) {
+LayerCertificate certify_layer(Field& field, const BitImage& image, double z, double above,
+                               CertifyEffort effort) {
+  const std::int64_t squares = squares_passed(image);
+  const std::int64_t boxes_max =
+      effort == CertifyEffort::kThorough
+          ? kCertifyBoxesMax
+          : std::min(kCertifyBoxesMax, kQuickBoxesMin + kQuickBoxesPerSquare * squares);
   LayerCertificate result =
-      Certifier(image.grid(), z, above, Certifier::Look::kCurveAndSlab).run(field);
-  result.cells = squares_passed(image);
+      Certifier(image.grid(), z, above, Certifier::Look::kCurveAndSlab, boxes_max).run(field);
+  result.cells = squares;
   return result;
 }
 

@@ -37,7 +37,7 @@ struct LayerCertificate {
   std::vector<Vec2> uncertified_at;
   /// Neighbouring squares of one kind are one event.
   std::vector<SlabEvent> events;
-  /// False: there was too much to look at, `kCertifyBoxesMax` boxes; nothing is known of the rest.
+  /// False: there was more to look at than the effort allows; nothing is known of the rest.
   bool complete = true;
 
   /// Adds what was found elsewhere.
@@ -48,6 +48,10 @@ struct LayerCertificate {
   /// there is up to the next plane shows in the two slices.
   [[nodiscard]] bool proved() const { return complete && uncertified == 0 && hidden() == 0; }
 };
+
+/// How many boxes may be looked at: as many as the slice's size warrants, so that a layer of a hard
+/// expression does not take seconds, or as many as it takes, up to `kCertifyBoxesMax`.
+enum class CertifyEffort : std::uint8_t { kQuick, kThorough };
 
 /// Looks at the slice at `z`, of which `image` is the samples, and at the slab from there to
 /// `above`.
@@ -61,13 +65,16 @@ struct LayerCertificate {
 ///
 /// \pre z <= above. The solid lies within the image's window.
 [[nodiscard]] LayerCertificate certify_layer(Field& field, const BitImage& image, double z,
-                                             double above);
+                                             double above,
+                                             CertifyEffort effort = CertifyEffort::kThorough);
 
 /// The slab alone, for those below the first slice and above the last.
 [[nodiscard]] LayerCertificate certify_slab(Field& field, const SliceGrid& grid, double z,
                                             double above);
 
 inline constexpr std::int64_t kCertifyBoxesMax = 200'000;
+inline constexpr std::int64_t kQuickBoxesPerSquare = 4;  ///< That the contour passes.
+inline constexpr std::int64_t kQuickBoxesMin = 1'024;
 inline constexpr int kEventSplits = 3;
 inline constexpr std::size_t kPlacesMax = 8;
 

@@ -6,7 +6,7 @@
 namespace slipstick {
 namespace {
 
-// Of |normal · stick|, from the chord between the two neighbours of a vertex.
+// 1 / |normal · stick| for the edge between two vertices.
 double slant(GridPoint before, GridPoint after, Outward outward) {
   const double x = static_cast<double>(after.x) - before.x;
   const double y = static_cast<double>(after.y) - before.y;
@@ -31,7 +31,10 @@ void Corridor::build(const LoopView& loop, double tolerance) {
   for (std::size_t i = 0; i < n; ++i) {
     const GridPoint before = points_[i > 0 ? i - 1 : n - 1][kOwnPlace];
     const GridPoint after = points_[i + 1 < n ? i + 1 : 0][kOwnPlace];
-    set(i, tolerance * slant(before, after, sticks_[i].outward));
+    const GridPoint own = points_[i][kOwnPlace];
+    // At a corner the steeper of the two edges counts.
+    set(i, tolerance * std::min(slant(before, own, sticks_[i].outward),
+                                slant(own, after, sticks_[i].outward)));
   }
 }
 

@@ -17,6 +17,21 @@ constexpr std::size_t kCandidates = Corridor::kCandidates;
 // searched again; after so many rounds all of them are.
 constexpr int kRoundsMax = 3;
 
+// The last stick up to `limit` whose own place is seen from that of stick `from`.
+std::size_t farthest_seen(const Corridor& corridor, std::size_t from, std::size_t limit) {
+  const auto points = [&](std::size_t k) -> const auto& {
+    return corridor.points(k < corridor.size() ? k : k - corridor.size());
+  };
+  std::size_t seen = from + 1;
+  const std::size_t end = std::min(limit, from + Wedge::kSpanMax);
+  Wedge wedge(points(from)[Corridor::kOwnPlace], points(seen).front(), points(seen).back());
+  for (std::size_t k = from + 2; k <= end; ++k) {
+    if (wedge.sees(points(k)[Corridor::kOwnPlace])) seen = k;
+    if (!wedge.pass(points(k).front(), points(k).back())) break;
+  }
+  return seen;
+}
+
 // The dynamic programme over (stick, candidate) of one loop, cut open at a vertex. Keeps its memory
 // from loop to loop.
 class Search {
@@ -39,7 +54,6 @@ class Search {
   }
 
   [[nodiscard]] const std::vector<Kept>& kept() const { return kept_; }
-  [[nodiscard]] std::size_t candidate_of(std::size_t kept) const { return candidates_[kept]; }
 
  private:
   static constexpr std::int32_t kNever = std::numeric_limits<std::int32_t>::max();
@@ -75,6 +89,8 @@ class Search {
       if (j == n_ && d != last_candidate_) continue;
       Best& to = at(j, d);
       if (from.edges + 1 > to.edges) continue;
+      // Distortion only grows along the way.
+      if (from.edges + 1 == to.edges && from.distortion >= to.distortion) continue;
       const GridPoint point = points(j)[d];
       if (wedge != nullptr && !wedge->sees(point)) continue;
       const double sum = from.distortion + moments_.distortion(k, j, points(k)[c], point);
@@ -85,22 +101,18 @@ class Search {
 
   void collect() {
     kept_.clear();
-    candidates_.clear();
     std::size_t state = n_ * kCandidates + last_candidate_;
     while (state >= kCandidates) {
       state = best_[state].from;
       const std::size_t i = (start_ + state / kCandidates) % n_, c = state % kCandidates;
       kept_.push_back({i, corridor_->place(i, c)});
-      candidates_.push_back(c);
     }
     const auto first = std::min_element(
         kept_.begin(), kept_.end(), [](const Kept& a, const Kept& b) { return a.index < b.index; });
     // Found backwards: after reversing, the loop's own order begins at its least index.
     const auto turn = first - kept_.begin() + 1;
     std::rotate(kept_.begin(), kept_.begin() + turn, kept_.end());
-    std::rotate(candidates_.begin(), candidates_.begin() + turn, candidates_.end());
     std::reverse(kept_.begin(), kept_.end());
-    std::reverse(candidates_.begin(), candidates_.end());
   }
 
   const Corridor* corridor_ = nullptr;
@@ -110,7 +122,6 @@ class Search {
   PrefixMoments moments_;
   std::vector<Best> best_;
   std::vector<Kept> kept_;
-  std::vector<std::size_t> candidates_;
 };
 
 class FewestEdges {
@@ -131,13 +142,21 @@ class FewestEdges {
 
  private:
   void search(const LoopView& view) {
+    const std::size_t start = settled_vertex();
     for (int round = 0;; ++round) {
-      search_.run(corridor_, {0, {}}, Corridor::kOwnPlace);
-      const std::size_t middle = search_.kept().size() / 2;
-      search_.run(corridor_, search_.kept()[middle], search_.candidate_of(middle));
+      search_.run(corridor_, {start, {}}, Corridor::kOwnPlace);
       frechet_bounds(view, search_.kept(), bounds_);
       if (!tighten(round)) return;
     }
+  }
+
+  // Where to cut the loop open: a vertex of the greedy chain, half way round. Such chains soon
+  // forget where they began.
+  std::size_t settled_vertex() const {
+    const std::size_t n = corridor_.size();
+    std::size_t at = 0;
+    while (at < n / 2) at = farthest_seen(corridor_, at, n);
+    return at % n;
   }
 
   // Whether anything was too far and its window could be tightened.

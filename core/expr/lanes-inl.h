@@ -53,8 +53,9 @@ HWY_INLINE Mask operator>=(Lanes a, Lanes b) {
 HWY_INLINE Mask operator==(Lanes a, Lanes b) {
   return {hn::Eq(a.v, b.v)};
 }
+// Highway's own Ne is ordered on x86: NaN would not differ from NaN.
 HWY_INLINE Mask operator!=(Lanes a, Lanes b) {
-  return {hn::Ne(a.v, b.v)};
+  return {hn::Not(hn::Eq(a.v, b.v))};
 }
 HWY_INLINE Mask operator&(Mask a, Mask b) {
   return {hn::And(a.m, b.m)};

@@ -47,9 +47,9 @@ class BitImage {
   /// \pre As for `set`, for each of them; all lie in one word of the row.
   void set_bits(int column, int row, std::uint64_t bits) {
     [[maybe_unused]] const int width = kBitsPerWord - std::countl_zero(bits);
-    SLIPSTICK_DCHECK(bits == 0 || (column > 0 && row > 0 && row < rows() - 1 &&
-                                   column + width < columns() &&
-                                   column % kBitsPerWord + width <= kBitsPerWord));
+    SLIPSTICK_DCHECK(bits == 0 ||
+                     (column > 0 && row > 0 && row < rows() - 1 && column + width < columns() &&
+                      column % kBitsPerWord + width <= kBitsPerWord));
     words_[index(column, row)] |= bits << (column % kBitsPerWord);
   }
 

@@ -60,7 +60,8 @@ class Section {
   /// The bits are those `classify` gives.
   virtual bool paint(BitImage& /*image*/) { return false; }
 
-  /// A point at which f was NaN, if `classify` or `paint` met one, of this section or of one narrowed from it.
+  /// A point at which f was NaN, if `classify` or `paint` met one, of this section or of one
+  /// narrowed from it.
   [[nodiscard]] virtual std::optional<Vec2> undefined_at() const { return {}; }
 };
 
