@@ -47,7 +47,8 @@ Topology StackLedger::topology() const {
 
 void StackLedger::Phase::join_within(const RunImage& runs, DisjointSets& sets) const {
   const auto join = [&](std::size_t i, std::size_t j) { sets.join(open_ + i, open_ + j); };
-  for (int row = 1; row < runs.rows(); ++row) each_touching(runs, row, runs, row - 1, touch_, join);
+  for (int row = 1; row < runs.rows(); ++row)
+    each_touching({runs, row}, {runs, row - 1}, touch_, join);
 }
 
 void StackLedger::Phase::join_below(const RunImage& runs, DisjointSets& sets) const {
@@ -56,7 +57,7 @@ void StackLedger::Phase::join_below(const RunImage& runs, DisjointSets& sets) co
   const int reach = touch_ == Touch::kCorners ? 1 : 0;
   for (int row = 0; row < runs.rows(); ++row) {
     for (int other = row - reach; other <= row + reach; ++other) {
-      each_touching(runs, row, *below_, other, touch_, join);
+      each_touching({runs, row}, {*below_, other}, touch_, join);
     }
   }
 }

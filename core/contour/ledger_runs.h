@@ -38,10 +38,17 @@ class RunImage {
 /// Which cells hang together: those that share a face, or those that share at least a corner.
 enum class Touch : std::uint8_t { kFaces, kCorners };
 
-/// Calls `join(i, j)` for each run i of `row` in `a` that touches run j of `other_row` in `b`.
+struct RunRow {
+  const RunImage& image;
+  int row;
+};
+
+/// Calls `join(i, j)` for each run i of `one` that touches run j of `other`, a row that may be
+/// none.
 template <typename Join>
-void each_touching(const RunImage& a, int row, const RunImage& b, int other_row, Touch touch,
-                   Join join) {
+void each_touching(RunRow one, RunRow other, Touch touch, Join join) {
+  const RunImage &a = one.image, &b = other.image;
+  const int row = one.row, other_row = other.row;
   if (other_row < 0 || other_row >= b.rows()) return;
   const int reach = touch == Touch::kCorners ? 1 : 0;
   std::size_t j = b.begin(other_row);

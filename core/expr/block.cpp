@@ -34,7 +34,7 @@ BoxVerdict bound(const Listing& listing, const Program& program, const BoxBatch&
     at = std::copy(side->begin(), side->end(), at);
   }
   run_boxes({listing.instructions, program.constants().data(), values, choices.data()});
-  const double* const low = values + listing.result * 2 * kBoxesMax;
+  const double* const low = values + std::size_t{2} * listing.result * kBoxesMax;
   BoxVerdict verdict;
   for (std::size_t i = 0; i < kBoxesMax; ++i) {
     if (low[kBoxesMax + i] <= 0) verdict.at_most_zero |= static_cast<std::uint16_t>(1u << i);

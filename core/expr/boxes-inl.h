@@ -2,6 +2,9 @@
 /// Instructions over boxes: interval arithmetic, some boxes at a time. Included where
 /// core/expr/lanes-inl.h is.
 
+// Included once for each set of instructions.
+// NOLINTBEGIN(misc-definitions-in-headers)
+
 // Both bounds are NaN, or none is.
 struct Bounds {
   Lanes low;
@@ -168,7 +171,7 @@ Bounds bounds_with_constant(Code code, Bounds a, Lanes c) {
 }
 
 HWY_INLINE Bounds bounds_at(const BoxRun& run, std::uint32_t index, std::size_t box) {
-  const double* at = run.registers + index * 2 * kBoxesMax + box;
+  const double* at = run.registers + std::size_t{2} * index * kBoxesMax + box;
   return {load(at), load(at + kBoxesMax)};
 }
 
@@ -208,9 +211,11 @@ void RunBoxes(const BoxRun& run) {
     }
     for (std::size_t box = 0; box < kBoxesMax; box += hn::Lanes(Tag())) {
       const Bounds x = bounds_of(run, step, box);
-      double* out = run.registers + step.out * 2 * kBoxesMax + box;
+      double* out = run.registers + std::size_t{2} * step.out * kBoxesMax + box;
       store(x.low, out);
       store(x.high, out + kBoxesMax);
     }
   }
 }
+
+// NOLINTEND(misc-definitions-in-headers)

@@ -64,6 +64,13 @@ HWY_INLINE Mask operator|(Mask a, Mask b) {
   return {hn::Or(a.m, b.m)};
 }
 
+HWY_INLINE Mask both(Mask a, Mask b) {
+  return a & b;
+}
+HWY_INLINE Mask either(Mask a, Mask b) {
+  return a | b;
+}
+
 HWY_INLINE Lanes choose(Mask mask, Lanes yes, Lanes no) {
   return Lanes(hn::IfThenElse(mask.m, yes.v, no.v));
 }

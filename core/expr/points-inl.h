@@ -1,6 +1,9 @@
 /// \file
 /// Instructions over points, some lanes at a time. Included where core/expr/lanes-inl.h is.
 
+// Included once for each set of instructions.
+// NOLINTBEGIN(misc-definitions-in-headers)
+
 template <typename F>
 HWY_INLINE void each(const PointRun& run, const Instruction& step, F f) {
   const double* a = run.registers + step.a * run.points;
@@ -110,3 +113,5 @@ void RunSigns(const SignRun& run) {
     run.undefined[word] = undefined;
   }
 }
+
+// NOLINTEND(misc-definitions-in-headers)

@@ -34,10 +34,18 @@ inline constexpr double kPlainReach = 0x1p20;
 /// Nearer to a multiple of π/2, the third part of π/2 would not do.
 inline constexpr double kPlainNearness = 0x1p-30;
 
+// Of one double; masks of several have their own.
+inline bool both(bool a, bool b) {
+  return a && b;
+}
+inline bool either(bool a, bool b) {
+  return a || b;
+}
+
 template <typename F>
 auto plainly_reducible(F x, const QuarterTurns<F>& r) {
-  return (absolute_of(x) <= F(kPlainReach)) &
-         ((r.n == F(0.0)) | (absolute_of(r.high) >= F(kPlainNearness)));
+  return both(absolute_of(x) <= F(kPlainReach),
+              either(r.n == F(0.0), absolute_of(r.high) >= F(kPlainNearness)));
 }
 
 // Taylor's series: up to π/4 the first term left out is below 2^-63 of the value.

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kLeaf = 16;   // nodes a side of a tile that is evaluated node by node
 constexpr int kFanout = 4;  // tiles a side within a larger one
-static_assert(kLeaf * kLeaf == kBlockPoints && 64 % kLeaf == 0);
+static_assert(std::size_t{kLeaf} * kLeaf == kBlockPoints && 64 % kLeaf == 0);
 
 // More tiles than this at the top, and one more level costs less.
 constexpr int kTopTilesMax = 32;
@@ -96,9 +96,11 @@ void ExprPainter::nodes(const Listing& listing, const Tile& tile) {
   const int first_column = tile.column_low / kLeaf * kLeaf;
   const int first_row = tile.row_low / kLeaf * kLeaf;
   for (int i = 0; i < kLeaf; ++i) values[i] = grid.node_x(first_column + i);
-  for (int row = 1; row < kLeaf; ++row) std::copy_n(values, kLeaf, values + row * kLeaf);
+  for (int row = 1; row < kLeaf; ++row)
+    std::copy_n(values, kLeaf, values + std::ptrdiff_t{row} * kLeaf);
   for (int row = 0; row < kLeaf; ++row) {
-    std::fill_n(values + kBlockPoints + row * kLeaf, kLeaf, grid.node_y(first_row + row));
+    std::fill_n(values + kBlockPoints + std::ptrdiff_t{row} * kLeaf, kLeaf,
+                grid.node_y(first_row + row));
   }
   run_points({listing.instructions, program_.constants().data(), values, kBlockPoints});
   std::array<std::uint64_t, kBlockPoints / 64> inside{}, undefined{};

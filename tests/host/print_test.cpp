@@ -98,6 +98,6 @@ TEST_CASE("Real models print right") {
       continue;
     }
     INFO(name);
-    check_right(print({path.string(), "--fit", "20,20,20", "--port", "sim:", "--certify", "off"}));
+    check_right(print({path.string(), "--fit", "24,24,24", "--port", "sim:", "--certify", "off"}));
   }
 }
