@@ -61,7 +61,7 @@ struct SlicingSettings {
   int alpha = 10;            ///< The paper's clustering ratio: one proxy for so many edges.
   double tolerance = 0.025;  ///< mm: Fréchet bound between simplified and placed contours.
   Placement place = Placement::kRoots;
-  Simplification simplify = Simplification::kFewest;
+  Simplification simplify = Simplification::kVsa;
   Ambiguity ambiguity = Ambiguity::kSolid;
   Certification certify = Certification::kReport;
 };
