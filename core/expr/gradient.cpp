@@ -11,19 +11,6 @@ namespace {
 
 using Slopes = GradientEvaluator::Slopes;
 
-Interval leaf_value(const Tape::Step& step, const Box3& box) {
-  switch (step.op) {
-    case Op::kX:
-      return Interval::of(box.low.x, box.high.x);
-    case Op::kY:
-      return Interval::of(box.low.y, box.high.y);
-    case Op::kZ:
-      return Interval::of(box.low.z, box.high.z);
-    default:
-      return std::isnan(step.value) ? Interval::anything() : Interval::of(step.value, step.value);
-  }
-}
-
 Slopes leaf_slopes(Op op) {
   const Slope none{0, 0}, one{1, 1};
   switch (op) {
@@ -47,7 +34,7 @@ void fill_values(const Tape& tape, const Box3& box, std::vector<Interval>& value
   for (std::size_t i = 0; i < tape.steps.size(); ++i) {
     const Tape::Step& step = tape.steps[i];
     values[i] = is_leaf(step.op)
-                    ? leaf_value(step, box)
+                    ? leaf_range(step, box)
                     : apply(step.op, values[step.a], values[is_binary(step.op) ? step.b : step.a]);
   }
 }
