@@ -109,7 +109,9 @@ void SlicingOptions::add_to(CLI::App& app) {
     const std::string key = s.key;
     app.add_option_function<std::string>(
         s.option,
-        [this, key](const std::string& value) { shorthands_.push_back(key + "=" + value); },
+        [this, key](const std::string& value) {
+          shorthands_.push_back(fmt::format("{}={}", key, value));
+        },
         s.help);
   }
   app.add_option("--layers", layers, "only layers A:B, from 0, B not included");
