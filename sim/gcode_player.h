@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -24,7 +25,7 @@ class GcodePlayer {
   static constexpr std::size_t kRefusalsListed = 100;
   /// A command that has not returned by then, longer than the longest dwell (a heater that cannot
   /// get so hot) is given up.
-  static constexpr Moment kPatience{std::int64_t{25 * 3600} * 1'000'000};
+  static constexpr Moment kPatience = std::chrono::hours(25);
 
   GcodePlayer(const Vec3& build_volume, const Planner::Sink& sink);
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <set>
 #include <utility>
 
 #include "core/base/check.h"
@@ -128,38 +130,36 @@ void place_lost(const std::set<int>& labels, const PixelFrame& frame, const Regi
   }
 }
 
-/// \return `components_wrong`.
-int find_wrong_components(const Wanted& material, const std::vector<Overlap>& met,
-                          const Regions& printed, const PixelImage& deposit,
-                          const PixelImage& solid, std::vector<Defect>& defects) {
-  const auto cuts = find_cuts(material, met);
-  const auto joints = find_joints(material, met);
-  const auto missing = find_missing(material, Regions::of_set(deposit.grown()));
-  place_splits(cuts, {solid, Steps::kCorners, printed, &PixelRun::region}, DefectKind::kIslandCut,
-               defects);
-  place_splits(joints, {deposit, Steps::kCorners, material.parts, &PixelRun::label},
-               DefectKind::kIslandsJoined, defects);
-  place_lost(missing, solid.frame(), material.parts, DefectKind::kIslandMissing, defects);
-  return total(cuts) + total(joints) + static_cast<int>(missing.size());
-}
+/// What was wanted and what was printed on one side: islands and material, or holes and free space.
+struct Comparison {
+  const Wanted& wanted;
+  const Regions& printed;
+  const std::vector<Overlap>& met;
+  std::set<int> lost;  ///< Labels of which there is nothing.
+  PixelImage wanted_pixels;
+  PixelImage printed_pixels;
+  Steps steps;
+};
 
-/// \return `holes_wrong`.
-int find_wrong_holes(const Wanted& space, const std::vector<Overlap>& met, const Regions& printed,
-                     const PixelImage& deposit, const PixelImage& solid,
-                     std::vector<Defect>& defects) {
-  const auto cuts = find_cuts(space, met);
-  const auto joints = find_joints(space, met);
-  const auto closed = find_closed(space, printed);
-  if (!cuts.empty()) {
-    place_splits(cuts, {solid.inverted(), Steps::kSides, printed, &PixelRun::region},
-                 DefectKind::kHoleCut, defects);
-  }
-  if (!joints.empty()) {
-    place_splits(joints, {deposit.inverted(), Steps::kSides, space.parts, &PixelRun::label},
-                 DefectKind::kHolesJoined, defects);
-  }
-  place_lost(closed, solid.frame(), space.parts, DefectKind::kHoleClosed, defects);
-  return total(cuts) + total(joints) + static_cast<int>(closed.size());
+struct Kinds {
+  DefectKind cut;
+  DefectKind joined;
+  DefectKind lost;
+};
+
+constexpr Kinds kComponents{DefectKind::kIslandCut, DefectKind::kIslandsJoined,
+                            DefectKind::kIslandMissing};
+constexpr Kinds kHoles{DefectKind::kHoleCut, DefectKind::kHolesJoined, DefectKind::kHoleClosed};
+
+/// \return How many are wrong.
+int find_wrong(const Comparison& c, const Kinds& kinds, std::vector<Defect>& defects) {
+  const auto cuts = find_cuts(c.wanted, c.met);
+  const auto joints = find_joints(c.wanted, c.met);
+  place_splits(cuts, {c.wanted_pixels, c.steps, c.printed, &PixelRun::region}, kinds.cut, defects);
+  place_splits(joints, {c.printed_pixels, c.steps, c.wanted.parts, &PixelRun::label}, kinds.joined,
+               defects);
+  place_lost(c.lost, c.wanted_pixels.frame(), c.wanted.parts, kinds.lost, defects);
+  return total(cuts) + total(joints) + static_cast<int>(c.lost.size());
 }
 
 int pixels_of(double mm, double pixel) {
@@ -168,6 +168,18 @@ int pixels_of(double mm, double pixel) {
 
 void add(std::vector<Defect>& defects, const std::vector<Defect>& more) {
   defects.insert(defects.end(), more.begin(), more.end());
+}
+
+/// Pixels a side of the least bare or hanging place; odd.
+int least_side(const JudgeOptions& options) {
+  return 2 * (pixels_of(options.least_mm, options.pixel) / 2) + 1;
+}
+
+void judge_support(const Hanging& air, const JudgeOptions& options, LayerVerdict& verdict) {
+  add(verdict.defects, thick_regions(air.wrong, least_side(options), DefectKind::kInTheAir));
+  for (const Defect& d : thick_regions(air.wanted, least_side(options), DefectKind::kInTheAir)) {
+    verdict.overhang_mm2 += d.mm2;
+  }
 }
 
 /// What the perimeters left bare.
@@ -189,18 +201,13 @@ JudgedLayer judge_layer_over(const std::optional<PixelImage>& below,
   PixelImage support = deposit;
   const double pixel_mm2 = options.pixel * options.pixel;
   const auto speck = static_cast<std::int64_t>(std::ceil(options.speck_mm2 / pixel_mm2));
-  const int least = 2 * (pixels_of(options.least_mm, options.pixel) / 2) + 1;
   LayerVerdict verdict;
 
   Regions islands = Regions::of_contours(frame, contours, Side::kSolid);
   const PixelImage solid = drawn(frame, islands);
   if (below) {
-    const Hanging air =
-        hanging(deposit, below->within(frame), solid, pixels_of(options.reach_mm, options.pixel));
-    add(verdict.defects, thick_regions(air.wrong, least, DefectKind::kInTheAir));
-    for (const Defect& d : thick_regions(air.wanted, least, DefectKind::kInTheAir)) {
-      verdict.overhang_mm2 += d.mm2;
-    }
+    const int reach = pixels_of(options.reach_mm, options.pixel);
+    judge_support(hanging(deposit, below->within(frame), solid, reach), options, verdict);
   }
   const Wanted material{std::move(islands), Regions::of_set(solid)};
   const Regions printed = Regions::of_set(deposit);
@@ -220,11 +227,14 @@ JudgedLayer judge_layer_over(const std::optional<PixelImage>& below,
   verdict.components = island_count;
   verdict.holes = static_cast<int>(contours.size()) - island_count;
   verdict.components_wrong =
-      find_wrong_components(material, met, printed, deposit, solid, verdict.defects);
-  verdict.holes_wrong =
-      find_wrong_holes(space, free_met, printed_free, deposit, solid, verdict.defects);
+      find_wrong({material, printed, met, find_missing(material, Regions::of_set(deposit.grown())),
+                  solid, deposit, Steps::kCorners},
+                 kComponents, verdict.defects);
+  verdict.holes_wrong = find_wrong({space, printed_free, free_met, find_closed(space, printed_free),
+                                    solid.inverted(), deposit.inverted(), Steps::kSides},
+                                   kHoles, verdict.defects);
   add(verdict.defects,
-      thick_regions(bare_rim(solid, deposit, options), least, DefectKind::kRimBare));
+      thick_regions(bare_rim(solid, deposit, options), least_side(options), DefectKind::kRimBare));
   verdict.solid_mm2 = solid_pixels * pixel_mm2;
   verdict.area_error = solid_pixels > 0 ? outside_pixels / solid_pixels : 0;
   verdict.void_mm2 = static_cast<double>(unmet_pixels(printed_free, free_is_met)) * pixel_mm2;

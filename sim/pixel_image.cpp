@@ -70,11 +70,11 @@ PixelFrame PixelFrame::over(const Box2& area, double size) {
   SLIPSTICK_CHECK(size > 0);
   if (area.empty()) return {{}, size, 1, 1, 0, 0};
   constexpr std::int64_t kMost = 1 << 15;
-  const auto first = [&](double low) {
-    return static_cast<std::int64_t>(std::floor(low / size)) - 1;
+  const auto first = [&](double from) {
+    return static_cast<std::int64_t>(std::floor(from / size)) - 1;
   };
-  const auto count = [&](double high, std::int64_t begin) {
-    const auto end = static_cast<std::int64_t>(std::ceil(high / size)) + 1;
+  const auto count = [&](double to, std::int64_t begin) {
+    const auto end = static_cast<std::int64_t>(std::ceil(to / size)) + 1;
     return static_cast<int>(std::min(kMost, end - begin));
   };
   PixelFrame frame;
