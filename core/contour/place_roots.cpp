@@ -12,6 +12,8 @@ namespace {
 // Neighbours along a contour are neighbours in space, so a batch asks a section narrowed to a small
 // box.
 constexpr std::size_t kBatch = 128;
+// Bisection asks so often that a box of so few sticks pays.
+constexpr std::size_t kSmallBatch = 8;
 
 class Roots {
  public:
@@ -21,10 +23,12 @@ class Roots {
     const auto sticks = contours_.sticks().subspan(first, count);
     const Section::Narrowed narrowed = section.narrowed(box_around(sticks));
     Section& inner = narrowed.section ? *narrowed.section : section;
-    xs_.resize(count);
-    ys_.resize(count);
     const auto places = contours_.places().subspan(first, count);
-    if (!by_values(inner, sticks, places)) by_bisection(inner, sticks, places);
+    if (by_values(inner, sticks, places)) return;
+    for (std::size_t i = 0; i < count; i += kSmallBatch) {
+      const std::size_t few = std::min(kSmallBatch, count - i);
+      by_bisection(inner, sticks.subspan(i, few), places.subspan(i, few));
+    }
   }
 
  private:
@@ -38,6 +42,8 @@ class Roots {
 
   bool by_values(Section& section, std::span<const Stick> sticks, std::span<Place> places) {
     const std::size_t count = sticks.size();
+    xs_.resize(count);
+    ys_.resize(count);
     values_.resize(2 * count);
     const std::span<double> inside = std::span(values_).first(count);
     const std::span<double> outside = std::span(values_).last(count);
@@ -72,7 +78,11 @@ class Roots {
     open_.erase(open_.begin() + static_cast<std::ptrdiff_t>(left), open_.end());
   }
 
-  void by_bisection(Section& section, std::span<const Stick> sticks, std::span<Place> places) {
+  void by_bisection(Section& outer, std::span<const Stick> sticks, std::span<Place> places) {
+    const Section::Narrowed narrowed = outer.narrowed(box_around(sticks));
+    Section& section = narrowed.section ? *narrowed.section : outer;
+    xs_.resize(sticks.size());
+    ys_.resize(sticks.size());
     inside_end_.assign(sticks.size(), 0);
     inside_.resize(sticks.size());
     for (std::int32_t half = SliceGrid::kUnitsPerCell / 2; half > 0; half /= 2) {
