@@ -101,8 +101,8 @@ void add_sim_command(CLI::App& app, ChosenCommand& run) {
   command->against.add_to(*sub);
   command->slicing.add_to(*sub);
   sub->footer(
-      "Examples: slipstick sim --pty /tmp/printer\n"
-      "          slipstick sim --gcode part.gcode --against part.lua");
+      "Example: slipstick sim --pty /tmp/printer\n"
+      "         slipstick sim --gcode part.gcode --against part.lua");
   sub->callback([command, &run, pty, tcp, gcode] {
     if (gcode->count() > 0) {
       run = [command] { return run_judge(*command); };
