@@ -10,7 +10,7 @@ namespace slipstick {
 /// of f: `next` says where to look, `take` what was seen there, until the two are 1/65536 of a cell
 /// apart. Where f is monotone that pair is the only one, however it was found.
 ///
-/// Smooth values need about three looks: a chord, then the quadratic through three values, then the
+/// Smooth values need three to five looks: a chord, then quadratics through three values, then the
 /// neighbour. Any values at all, NaN and infinities too, close it within `kLooksMax`.
 class Bracket {
  public:
