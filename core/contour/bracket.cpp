@@ -1,11 +1,10 @@
 #include "core/contour/bracket.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace slipstick {
 
-std::int32_t Bracket::next() const {
+std::int32_t Bracket::choose() const {
   const std::int32_t middle = inside_ + (outside_ - inside_) / 2;
   if (looks_ >= kQuickLooks) return middle;
   double at = looks_ > 0 ? quadratic() : chord();
@@ -15,14 +14,14 @@ std::int32_t Bracket::next() const {
 }
 
 void Bracket::take(double value) {
-  const std::int32_t at = next();
   ++looks_;
   std::int32_t& end = value <= 0 ? inside_ : outside_;
   double& f_end = value <= 0 ? f_inside_ : f_outside_;
   before_ = end;
   f_before_ = f_end;
-  end = at;
+  end = next_;
   f_end = value;
+  if (!closed()) next_ = choose();
 }
 
 // Where the line through both ends is zero.

@@ -10,7 +10,7 @@ namespace slipstick {
 /// of f: `next` says where to look, `take` what was seen there, until the two are 1/65536 of a cell
 /// apart. Where f is monotone that pair is the only one, however it was found.
 ///
-/// Smooth values need about three looks: a chord, then the quadratic through three values, then the
+/// Smooth values need three to five looks: a chord, then quadratics through three values, then the
 /// neighbour. Any values at all, NaN and infinities too, close it within `kLooksMax`.
 class Bracket {
  public:
@@ -19,18 +19,20 @@ class Bracket {
   static constexpr int kLooksMax = kQuickLooks + 16;
 
   /// \param inside f at the inside node (<= 0), \param outside f at the outside node.
-  Bracket(double inside, double outside) : f_inside_(inside), f_outside_(outside) {}
+  Bracket(double inside, double outside)
+      : f_inside_(inside), f_outside_(outside), next_(choose()) {}
 
   [[nodiscard]] bool closed() const { return outside_ - inside_ == 1; }
   /// The inside end, in 65536ths of the stick.
   [[nodiscard]] std::int32_t inside() const { return inside_; }
 
   /// Strictly between the ends. \pre Not closed.
-  [[nodiscard]] std::int32_t next() const;
+  [[nodiscard]] std::int32_t next() const { return next_; }
   /// f at `next()`. NaN is outside.
   void take(double value);
 
  private:
+  [[nodiscard]] std::int32_t choose() const;
   [[nodiscard]] double chord() const;
   [[nodiscard]] double quadratic() const;
   [[nodiscard]] bool holds(double at) const { return at > inside_ && at < outside_; }
@@ -42,6 +44,7 @@ class Bracket {
   double f_inside_;
   double f_outside_;
   double f_before_ = 0;
+  std::int32_t next_;
 };
 
 }  // namespace slipstick

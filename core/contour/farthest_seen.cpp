@@ -27,8 +27,11 @@ std::size_t farthest_seen(const Corridor& corridor, std::size_t from, std::size_
   const std::size_t end = std::min(limit, from + Wedge<std::int64_t>::kSpanMax);
   for (std::size_t k = from + 2; k <= end; ++k) {
     const auto& window = points(k);
+    const IntegerRay inside = towards(window.front(), origin);
+    const IntegerRay outside = towards(window.back(), origin);
+    if (!wedge.meets(inside, outside)) break;
     if (wedge.sees(towards(window[Corridor::kOwnPlace], origin))) seen = k;
-    if (!wedge.pass(towards(window.front(), origin), towards(window.back(), origin))) break;
+    if (!wedge.pass(inside, outside)) break;
   }
   return seen;
 }

@@ -1,7 +1,6 @@
 #include "core/contour/place_roots.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "core/contour/bracket.h"

@@ -4,7 +4,6 @@
 #include <cmath>
 
 namespace slipstick {
-
 namespace {
 
 constexpr double kCell = 1.0 / static_cast<double>(SliceGrid::kUnitsPerCell);

@@ -20,8 +20,7 @@ class PrefixMoments {
   void build(const Corridor& corridor, std::size_t start);
 
   /// Cubic cells: of the run from the `from`-th to the `to`-th vertex after the start, from the
-  /// line through two points. Never negative.
-  /// The points are in 1/65536 of a cell from the first vertex.
+  /// line through two points, which are in 1/65536 of a cell from the first vertex. Never negative.
   [[nodiscard]] double distortion(std::size_t from, std::size_t to, Ray<double> a,
                                   Ray<double> b) const;
 

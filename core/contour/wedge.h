@@ -49,9 +49,8 @@ class Wedge {
     return cross(right_, inside) > 0 && cross(outside, left_) > 0;
   }
 
-  /// Passes a window. \return false if nothing can be seen behind it.
+  /// Passes a window. \pre It meets it. \return false if nothing can be seen behind it.
   [[nodiscard]] bool pass(Ray<Number> inside, Ray<Number> outside) {
-    if (!meets(inside, outside)) return false;
     if (cross(inside, left_) >= 0) left_ = inside;
     if (cross(right_, outside) >= 0) right_ = outside;
     return cross(right_, left_) > 0;

@@ -19,6 +19,13 @@ int main(int argc, char** argv) {
                                           {"scaling", scaling_rows},
                                           {"edges", edge_rows},
                                           {"errors", error_rows}}};
+  for (int i = 1; i < argc; ++i) {
+    const auto named = [&](const Group& group) { return group.first == argv[i]; };
+    if (std::any_of(kGroups.begin(), kGroups.end(), named)) continue;
+    fmt::print(stderr, "targets: no group '{}' (memory, layer, image, scaling, edges, errors)\n",
+               argv[i]);
+    return 2;
+  }
   std::vector<Row> rows;
   for (const auto& [name, group] : kGroups) {
     if (argc > 1 && std::find(argv + 1, argv + argc, name) == argv + argc) continue;
