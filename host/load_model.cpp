@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "core/formats/bsp_file.h"
 #include "core/formats/lua_script.h"
 #include "core/formats/point_cloud.h"
 #include "core/formats/rbf_file.h"
@@ -34,15 +35,17 @@ Result<LoadedModel> load_model(const std::filesystem::path& path, const Box3& bo
   const std::string name = path.filename().string();
   const bool is_mesh = kind == ".stl" || kind == ".obj" || kind == ".ply" || kind == ".off";
   const bool is_points = kind == ".xyz" || kind == ".pwn";
-  if (!is_mesh && !is_points && kind != ".lua" && kind != ".vm" && kind != ".rbf") {
-    return fail(ErrorCode::kInput, fmt::format("{}: unknown kind of model; .lua, .vm, .rbf, .stl, "
-                                               ".obj, .ply, .off, .xyz and .pwn can be read",
+  if (!is_mesh && !is_points && kind != ".lua" && kind != ".vm" && kind != ".bsp" &&
+      kind != ".rbf") {
+    return fail(ErrorCode::kInput, fmt::format("{}: unknown kind of model; .lua, .vm, .bsp, .rbf, "
+                                               ".stl, .obj, .ply, .off, .xyz and .pwn can be read",
                                                path.string()));
   }
   const auto bytes = read_file(path);
   if (!bytes) return fail(bytes.error());
   if (kind == ".lua") return loaded(load_lua_model(*bytes, name), name);
   if (kind == ".vm") return loaded(load_vm_model(*bytes, name, bounds), name);
+  if (kind == ".bsp") return loaded(load_bsp_model(*bytes, name), name);
   if (kind == ".rbf") return loaded(load_rbf_model(*bytes, name), name);
   if (is_points || (kind == ".ply" && ply_is_point_cloud(*bytes))) {
     return loaded(load_point_model(*bytes, name), name);

@@ -101,7 +101,7 @@ class Marching {
   }
 
   std::uint32_t vertex(Node a, Node b) {
-    const auto key = std::minmax(number(a), number(b));
+    const std::pair<std::size_t, std::size_t> key = std::minmax(number(a), number(b));
     const auto [found, is_new] =
         vertices_.try_emplace(key, static_cast<std::uint32_t>(mesh_.vertices.size()));
     if (is_new) {
