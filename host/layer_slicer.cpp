@@ -29,7 +29,7 @@ LayerSlicer::LayerSlicer(const PlacedSolid& placed, const SliceGrid& grid, const
       stack_(stack),
       settings_(settings),
       goal_(goal),
-      images_(placed.solid, grid, stack) {}
+      images_(placed.solid, grid, stack, settings.slicing.regularize) {}
 
 Result<SlicedLayer> LayerSlicer::slice(int layer) {
   const auto image = images_.image(layer);

@@ -21,8 +21,11 @@ int thread_count(int wanted) {
 Result<std::unique_ptr<SlicingJob>> SlicingJob::start(const PlacedSolid& placed,
                                                       const SlicingRequest& request) {
   const Box3& b = placed.bounds;
-  const auto grid = SliceGrid::over({{b.low.x, b.low.y}, {b.high.x, b.high.y}},
-                                    request.settings.slicing.sampling);
+  // Room for what grows before it shrinks back.
+  const double room = request.settings.slicing.regularize;
+  const auto grid =
+      SliceGrid::over({{b.low.x - room, b.low.y - room}, {b.high.x + room, b.high.y + room}},
+                      request.settings.slicing.sampling);
   if (!grid) return fail(grid.error());
   const auto stack = LayerStack::over(b.high.z, request.settings.slicing);
   if (!stack) return fail(stack.error());

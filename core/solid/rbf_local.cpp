@@ -21,6 +21,17 @@ constexpr double kRadiusShareMax = 0.15;
 // Relative to the diagonal: keeps a fit to points on a line or in a plane solvable.
 constexpr double kRidge = 1e-10;
 
+// Points whose normals are within 60 degrees of the centre's are of its sheet. Others, beyond a
+// sharp edge or on the other side of a wall, are not fitted but count as so far off, in radii.
+constexpr double kSameSheet = 0.5;
+constexpr double kStranger = 0.1;
+
+// Fewer points than this tell a plane and no more: curvature then costs as much as being off. The
+// little that it always costs keeps a quadric from bending where no point holds it.
+constexpr std::size_t kBendingMin = 9;
+constexpr double kStiff = 1;
+constexpr double kSupple = 1e-4;
+
 struct Frame {
   Vec3 u;
   Vec3 v;
@@ -112,43 +123,52 @@ RbfFunction::Quadric quadric_of(const Terms& h, const Frame& f, double radius) {
 Terms solved(std::span<const Sample> samples) {
   NormalEquations equations;
   for (const Sample& s : samples) equations.add(s);
+  // The first term sums the weights.
+  const double stiffness = samples.size() < kBendingMin ? kStiff : kSupple;
+  for (std::size_t i = 3; i < kTerms; ++i) {
+    equations.matrix[i][i] += stiffness * equations.matrix[0][0];
+  }
   return equations.solved();
 }
 
 }  // namespace
 
-std::optional<LocalFit> fit_local(const PointCloud& cloud, const PointIndex& index, Vec3 centre,
-                                  double radius) {
+std::optional<LocalFit> fit_local(const PointCloud& cloud, const PointIndex& index,
+                                  std::uint32_t centre, double radius) {
   struct Near {
     std::uint32_t index;
     double weight;
   };
   std::vector<Near> near;
   Vec3 mean;
-  index.for_each_within(centre, radius, [&](std::uint32_t i, double square) {
-    near.push_back({i, wendland(square, radius)});
-    mean = mean + near.back().weight * cloud.normals[i];
+  double weights = 0, strangers = 0;
+  const Vec3 c = cloud.points[centre];
+  index.for_each_within(c, radius, [&](std::uint32_t i, double square) {
+    const double weight = wendland(square, radius);
+    if (dot(cloud.normals[i], cloud.normals[centre]) < kSameSheet) {
+      strangers += weight;
+      return;
+    }
+    near.push_back({i, weight});
+    mean = mean + weight * cloud.normals[i];
+    weights += weight;
   });
-  double total = 0;
-  for (const Near& n : near) total += n.weight;
-  constexpr double kCancelled = 0.05;
-  if (!(length(mean) > kCancelled * total)) return {};
+  if (!(length(mean) > 0)) return {};
   const Frame frame = frame_of((1 / length(mean)) * mean);
   std::vector<Sample> samples;
+  samples.reserve(near.size());
   for (const Near& n : near) {
-    if (!(dot(cloud.normals[n.index], frame.w) > 0)) continue;
-    const Vec3 d = (1 / radius) * (cloud.points[n.index] - centre);
+    const Vec3 d = (1 / radius) * (cloud.points[n.index] - c);
     samples.push_back({{dot(d, frame.u), dot(d, frame.v), dot(d, frame.w)}, n.weight});
   }
   const Terms h = solved(samples);
-  double squares = 0, weights = 0;
+  double squares = kStranger * kStranger * strangers;
   for (const Sample& s : samples) {
     const double off = s.at.z - height(h, s.at);
     squares += s.weight * (off * off);
-    weights += s.weight;
   }
-  return LocalFit{{centre, radius, quadric_of(h, frame, radius)},
-                  weights > 0 ? squares / weights * radius * radius : 0};
+  const double mean_square = squares / (weights + strangers) * radius * radius;
+  return LocalFit{{c, radius, quadric_of(h, frame, radius)}, mean_square};
 }
 
 LocalFit fit_adaptive(const PointCloud& cloud, const PointIndex& index, std::uint32_t centre,
@@ -163,7 +183,7 @@ LocalFit fit_adaptive(const PointCloud& cloud, const PointIndex& index, std::uin
   LocalFit best{{c, radius, {0, n.x, n.y, n.z, 0, 0, 0, 0, 0, 0}}, 0};
   double least = std::numeric_limits<double>::infinity();
   for (int step = 0; step < kStepsMax && (step == 0 || radius <= largest); ++step) {
-    const auto fit = fit_local(cloud, index, c, radius);
+    const auto fit = fit_local(cloud, index, centre, radius);
     if (!fit) break;
     const double error = fit->mean_square / (diagonal * diagonal);
     const double share = tolerance * diagonal / radius;

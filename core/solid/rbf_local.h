@@ -16,10 +16,10 @@ struct LocalFit {
   double mean_square = 0;  ///< Weighted, of the points in the support.
 };
 
-/// Of the points within `radius` of `centre` whose normals are less than 90° from the mean one:
-/// those beyond are another sheet. Nothing where the normals cancel.
+/// Of the points within `radius` of point `centre` on its own sheet; those beyond a sharp edge or
+/// another wall are held against it. Nothing where the normals cancel.
 [[nodiscard]] std::optional<LocalFit> fit_local(const PointCloud& cloud, const PointIndex& index,
-                                                Vec3 centre, double radius);
+                                                std::uint32_t centre, double radius);
 
 /// The fit about `centre` whose support is as large as its error allows: of a ladder of radii, the
 /// one with the least `mean_square` / L² + (`tolerance` · L / radius)², where L is the diagonal.

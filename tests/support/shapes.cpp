@@ -18,15 +18,24 @@ double torus(Vec3 p, double large, double small) {
   return std::sqrt(ring * ring + p.z * p.z) - small;
 }
 
-double tunnelled_box(Vec3 p) {
-  const double box = std::max({std::abs(p.x) - 5, std::abs(p.y) - 4, std::abs(p.z) - 3});
-  return std::max(box, 1.7 - std::sqrt(p.x * p.x + p.y * p.y));
+// The larger of the two, its edges rounded to about `radius`.
+double rounded_max(double a, double b, double radius) {
+  const double u = std::max(a + radius, 0.0), v = std::max(b + radius, 0.0);
+  return std::min(std::max(a, b), -radius) + std::sqrt(u * u + v * v);
 }
 
+double tunnelled_box(Vec3 p) {
+  constexpr double kRadius = 0.6;
+  const double side = rounded_max(rounded_max(std::abs(p.x) - 5, std::abs(p.y) - 4, kRadius),
+                                  std::abs(p.z) - 3, kRadius);
+  return rounded_max(side, 1.7 - std::sqrt(p.x * p.x + p.y * p.y), kRadius);
+}
+
+// One cell of the surface's lattice: six necks end at the ball around it, in pairs around the axes.
 double gyroid(Vec3 p) {
   const double wave =
       std::sin(p.x) * std::cos(p.y) + std::sin(p.y) * std::cos(p.z) + std::sin(p.z) * std::cos(p.x);
-  return std::max(std::abs(wave) - 0.7, length(p) - 4.3);
+  return rounded_max(wave / 1.5, length(p) - 4.3, 0.4);
 }
 
 Box3 cube(double half) {
