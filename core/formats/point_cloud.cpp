@@ -134,6 +134,8 @@ std::optional<Vec3> normalised(Vec3 n) {
   const double most = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
   if (!(most > 0 && std::isfinite(most) && std::isfinite(1 / most))) return {};
   const Vec3 scaled = (1 / most) * n;
+  // The largest of three does not see every NaN.
+  if (std::isnan(scaled.x + scaled.y + scaled.z)) return {};
   return (1 / length(scaled)) * scaled;
 }
 

@@ -48,7 +48,10 @@ struct MaterialSettings {
 enum class Placement : std::uint8_t { kRoots, kSliding, kProjection, kMidpoints };
 
 /// How contours get fewer edges.
-enum class Simplification : std::uint8_t { kVsa, kGreedy, kNone };
+enum class Simplification : std::uint8_t { kFewest, kVsa, kGreedy, kNone };
+
+/// What becomes of slices that cannot be proved right.
+enum class Certification : std::uint8_t { kStrict, kReport, kOff };
 
 /// How the solid becomes contours (paper, sections 3 to 5).
 struct SlicingSettings {
@@ -61,6 +64,7 @@ struct SlicingSettings {
   Simplification simplify = Simplification::kVsa;
   Ambiguity ambiguity = Ambiguity::kSolid;
   double regularize = 0;  ///< mm: radius of the ball that opens and closes the solid; 0 is none.
+  Certification certify = Certification::kReport;
 };
 
 /// How contours become toolpaths.

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <bit>
+#include <limits>
 #include <string>
 
 using namespace slipstick;
@@ -28,6 +31,21 @@ std::string ply() {
   text += "end_header\n";
   for (int i = 0; i < kCount; ++i) text += six(i);
   return text;
+}
+
+// Binary, the normal of point 7 as given.
+std::string binary_ply(Vec3 normal) {
+  std::string bytes = ply();
+  bytes.erase(bytes.find("end_header\n") + 11);
+  bytes.replace(bytes.find("ascii"), 5, "binary_little_endian");
+  for (int i = 0; i < kCount; ++i) {
+    const Vec3 n = i == 7 ? normal : Vec3{0, 0, 1};
+    for (const double v : {1.0 * i, 1.0 * i * i, -1.0 * i, n.x, n.y, n.z}) {
+      const auto bits = std::bit_cast<std::array<char, 4>>(static_cast<float>(v));
+      bytes.append(bits.data(), bits.size());
+    }
+  }
+  return bytes;
 }
 
 std::string ohtake_pwn() {
@@ -63,6 +81,14 @@ TEST_CASE("A PLY file without faces is a point cloud") {
   mesh.insert(mesh.find("end_header"), "element face 1\nproperty list uchar int vertex_indices\n");
   CHECK_FALSE(ply_is_point_cloud(mesh + "3 0 1 2\n"));
   CHECK_FALSE(ply_is_point_cloud("not a ply"));
+}
+
+TEST_CASE("A normal that is not a number is refused, whichever of its coordinates it is") {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  REQUIRE(read_point_cloud(binary_ply({0, 1, 0}), "ply"));
+  for (const Vec3 normal : {Vec3{kNaN, 0, 1}, Vec3{1, kNaN, 0}, Vec3{1, 0, kNaN}}) {
+    CHECK(error_of(binary_ply(normal), "ply").starts_with("point 7 is beyond 1e+09"));
+  }
 }
 
 TEST_CASE("Bad point clouds are refused with the place and the reason") {
