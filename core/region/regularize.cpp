@@ -71,13 +71,13 @@ void add_runs(Cover& cover, const BitImage& image, Nodes nodes, std::span<const 
 // The nodes that the balls about all such nodes of the window hold, or all others.
 BitImage reached(std::span<const BitImage* const> window, const DiscreteBall& ball, Nodes nodes) {
   const int reach = ball.reach();
-  SLIPSTICK_CHECK(window.size() == static_cast<std::size_t>(2 * reach + 1));
+  SLIPSTICK_CHECK(window.size() == 2 * static_cast<std::size_t>(reach) + 1);
   const SliceGrid& grid = window[0]->grid();
   Cover cover(grid);
-  for (int dz = -reach; dz <= reach; ++dz) {
-    const double height = dz * ball.spacing;
+  for (std::size_t i = 0; i < window.size(); ++i) {
+    const double height = (static_cast<int>(i) - reach) * ball.spacing;
     const double square = std::max(ball.radius * ball.radius - height * height, 0.0);
-    const BitImage& image = *window[static_cast<std::size_t>(dz + reach)];
+    const BitImage& image = *window[i];
     SLIPSTICK_CHECK(image.grid() == grid);
     add_runs(cover, image, nodes, half_widths(square, grid.width()));
   }

@@ -109,7 +109,8 @@ class Builder {
     const Split split = best_split(polygons);
     const BspCell front_cell = cell.behind_of(flipped(split.plane));
     const BspCell back_cell = cell.behind_of(split.plane);
-    auto [front, back] = divided(std::move(polygons), split.plane);
+    auto [front, back] = divided(polygons, split.plane);
+    polygons = {};  // not held while its parts are built
     if (front_cell.empty()) return build_rest(cell, back_cell, std::move(back), depth);
     if (back_cell.empty()) return build_rest(cell, front_cell, std::move(front), depth);
 
@@ -134,9 +135,9 @@ class Builder {
     return build(part.empty() ? whole : part, std::move(polygons), depth + 1);
   }
 
-  static std::pair<Polygons, Polygons> divided(Polygons polygons, const BspPlane& plane) {
+  static std::pair<Polygons, Polygons> divided(const Polygons& polygons, const BspPlane& plane) {
     std::pair<Polygons, Polygons> parts;
-    for (Polygon& p : polygons) {
+    for (const Polygon& p : polygons) {
       if (p.plane == plane) continue;  // spent
       auto back = behind(p.corners, plane);
       auto front = behind(p.corners, flipped(plane));

@@ -129,7 +129,8 @@ class Fill {
   template <typename Condition>
   static bool all_of(Vec3 middle, double half, Condition holds) {
     for (int i = 0; i < 27; ++i) {
-      const Vec3 to{half * (i % 3 - 1), half * (i / 3 % 3 - 1), half * (i / 9 - 1)};
+      const int x = i % 3, y = i / 3 % 3, z = i / 9;
+      const Vec3 to{half * (x - 1), half * (y - 1), half * (z - 1)};
       if (!holds(middle + to)) return false;
     }
     return true;
