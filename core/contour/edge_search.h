@@ -20,8 +20,7 @@ namespace slipstick {
 /// What one edge more reaches is looked for from the farthest `kOriginSticks` sticks that were
 /// reached with the last one. Looking from all of them would be exact, but costs the square of its
 /// length on a straight side, and gains little: over the nine subjects of the table of targets the
-/// edges were the same to one in a hundred with 4, 8, 16 and 48 sticks, the time of a smooth
-/// contour 370, 544, 692 and 828 ns a stick.
+/// mean number of edges, against the paper's pipeline, was 0.44 from 4 sticks and 0.43 from 48.
 class EdgeSearch {
  public:
   static constexpr std::size_t kOriginSticks = 5;
