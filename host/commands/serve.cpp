@@ -36,7 +36,7 @@ void add_serve_command(CLI::App& app, ChosenCommand& run) {
   const auto options = std::make_shared<Daemon::Options>();
   options->data = default_data_folder();
   options->port = "sim:?realtime=1";
-  CLI::App* sub = app.add_subcommand("serve", "the daemon: job queue, HTTP API");
+  CLI::App* sub = app.add_subcommand("serve", "the daemon: job queue, HTTP API, web page");
   sub->add_option("--data", options->data, "folder for jobs and files")->capture_default_str();
   sub->add_option("--listen", options->listen, "HOST:PORT; off this machine a key is needed")
       ->capture_default_str();

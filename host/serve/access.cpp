@@ -31,18 +31,20 @@ bool equal_in_constant_time(std::string_view a, std::string_view b) {
   return difference == 0;
 }
 
-std::optional<HttpResponse> AccessRules::check(const HttpRequest& request) const {
+std::optional<HttpResponse> AccessRules::check_site(const HttpRequest& request) const {
   const std::string& host = request.header("host");
   const std::string& origin = request.header("origin");
   // A page of another site, or a name of another site that was made to point here.
   if (!origin.empty() && host_of_origin(origin) != host) {
     return error_response(403, "requests from pages of other sites are not answered");
   }
-  if (key_.empty()) {
-    if (is_local(without_port(host))) return {};
-    return error_response(403, "without a key only requests to localhost are answered");
-  }
-  if (key_shown(request)) return {};
+  if (!key_.empty() || is_local(without_port(host))) return {};
+  return error_response(403, "without a key only requests to localhost are answered");
+}
+
+std::optional<HttpResponse> AccessRules::check(const HttpRequest& request) const {
+  if (auto refusal = check_site(request)) return refusal;
+  if (key_.empty() || key_shown(request)) return {};
   return error_response(403, "show the key in the header X-Api-Key");
 }
 

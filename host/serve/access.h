@@ -17,6 +17,8 @@ class AccessRules {
 
   /// The refusal (403), or nothing.
   [[nodiscard]] std::optional<HttpResponse> check(const HttpRequest& request) const;
+  /// The same for what needs no key: only where the request comes from.
+  [[nodiscard]] std::optional<HttpResponse> check_site(const HttpRequest& request) const;
 
  private:
   [[nodiscard]] bool key_shown(const HttpRequest& request) const;

@@ -7,6 +7,10 @@ namespace slipstick {
 /// \file
 /// The handlers of /api/v1; docs/openapi.json describes each.
 
+// api_web.cpp
+[[nodiscard]] HttpResponse get_page(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse get_asset(const HttpRequest& request, Services& services);
+
 // api_files.cpp
 [[nodiscard]] HttpResponse get_files(const HttpRequest& request, Services& services);
 [[nodiscard]] HttpResponse get_file(const HttpRequest& request, Services& services);

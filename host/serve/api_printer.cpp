@@ -28,7 +28,8 @@ HttpResponse resume_printer(const HttpRequest&, Services& services) {
 }
 
 HttpResponse stop_printer(const HttpRequest&, Services& services) {
-  return done_if(services.printer.emergency_stop());
+  const auto told = services.printer.emergency_stop();
+  return told ? empty_response() : error_response(told.error());
 }
 
 HttpResponse clear_bed(const HttpRequest&, Services& services) {

@@ -11,6 +11,7 @@
 #include "host/serve/access.h"
 #include "host/serve/api_key.h"
 #include "host/serve/http_server.h"
+#include "host/serve/service_manager.h"
 
 namespace slipstick {
 namespace {
@@ -57,7 +58,14 @@ class Daemon::Implementation {
     return {};
   }
 
-  void run(const std::function<bool()>& goes_on) { server_->run(events_, goes_on); }
+  void run(const std::function<bool()>& goes_on) {
+    tell_manager_ready();
+    server_->run(events_, [&] {
+      tell_manager_alive();
+      return goes_on();
+    });
+    tell_manager_stopping();
+  }
   [[nodiscard]] std::string url() const { return "http://" + server_->address(); }
   [[nodiscard]] const std::string& key() const { return key_; }
 
@@ -81,8 +89,11 @@ class Daemon::Implementation {
   }
 
   Found admit(const HttpRequest& head) const {
-    if (auto refusal = rules_->check(head)) return {nullptr, {}, std::move(*refusal)};
-    return find_route(head.method, head.target);
+    Found found = find_route(head.method, head.target);
+    const bool open = found.route != nullptr && found.route->access == RouteAccess::kAnyone;
+    auto refusal = open ? rules_->check_site(head) : rules_->check(head);
+    if (refusal) return {nullptr, {}, std::move(*refusal)};
+    return found;
   }
 
   const UniqueFd lock_;

@@ -11,10 +11,21 @@
 namespace slipstick {
 namespace {
 
-constexpr std::chrono::seconds kSafeStopPatience{5};
+constexpr std::chrono::seconds kTellPatience{5};
 
 std::int64_t unix_now() {
   return static_cast<std::int64_t>(std::time(nullptr));
+}
+
+// Says `bytes` to a printer that is not being printed on. The simulated one is there only while it
+// prints.
+Result<void> tell_printer(const std::string& port, std::string_view bytes) {
+  const auto address = parse_transport_address(port);
+  if (!address) return fail(address.error());
+  if (address->kind == TransportKind::kSim) return {};
+  const auto transport = open_transport(*address);
+  if (!transport) return fail(transport.error());
+  return (*transport)->write_all(bytes, kTellPatience);
 }
 
 }  // namespace
@@ -27,7 +38,11 @@ Result<std::unique_ptr<PrinterWorker>> PrinterWorker::start(Options options, Sta
   if (!interrupted) return fail(interrupted.error());
   std::unique_ptr<PrinterWorker> worker(
       new PrinterWorker(std::move(options), std::move(*store), board, events));
-  if (*interrupted > 0) worker->make_safe();
+  if (*interrupted > 0) {
+    const auto told = tell_printer(worker->options_.port, kSafeStopBytes);
+    if (!told)
+      spdlog::error("a print was cut off; its heaters may be on: {}", told.error().message);
+  }
   worker->thread_ = std::thread([raw = worker.get()] { raw->run(); });
   return worker;
 }
@@ -71,10 +86,11 @@ bool PrinterWorker::cancel(std::int64_t id) {
   return true;
 }
 
-bool PrinterWorker::emergency_stop() {
+Result<void> PrinterWorker::emergency_stop() {
   const auto control = current();
-  if (control) control->emergency_stop();
-  return control != nullptr;
+  if (!control) return tell_printer(options_.port, kEmergencyStop);
+  control->emergency_stop();
+  return {};
 }
 
 void PrinterWorker::wait_until_idle() {
@@ -185,19 +201,6 @@ PrintControl::Wish PrinterWorker::over() {
 std::shared_ptr<PrintControl> PrinterWorker::current() {
   const std::lock_guard lock(mutex_);
   return control_;
-}
-
-void PrinterWorker::make_safe() {
-  const auto address = parse_transport_address(options_.port);
-  if (!address || address->kind == TransportKind::kSim) return;
-  const auto transport = open_transport(*address);
-  if (!transport) {
-    spdlog::error("a print was cut off, and its printer cannot be told to cool down: {}",
-                  transport.error().message);
-    return;
-  }
-  const auto told = (*transport)->write_all(kSafeStopBytes, kSafeStopPatience);
-  if (!told) spdlog::error("{}", told.error().message);
 }
 
 }  // namespace slipstick

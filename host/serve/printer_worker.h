@@ -43,7 +43,8 @@ class PrinterWorker {
   bool pause();
   bool resume();
   bool cancel(std::int64_t id);
-  bool emergency_stop();
+  /// Kills the printer, whether it prints or not. \return why it could not be told.
+  [[nodiscard]] Result<void> emergency_stop();
 
   /// Waits until no job can be begun. For tests.
   void wait_until_idle();
@@ -59,7 +60,6 @@ class PrinterWorker {
   PrintControl::Wish over();
   [[nodiscard]] std::shared_ptr<PrintControl> current();
   [[nodiscard]] bool wait_for_work();
-  void make_safe();
 
   const Options options_;
   Store store_;              ///< The worker's own.

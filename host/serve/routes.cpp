@@ -14,6 +14,10 @@ constexpr auto kPut = HttpMethod::kPut;
 constexpr auto kDelete = HttpMethod::kDelete;
 
 constexpr std::array kRoutes{
+    Route{kGet, "/", get_page, RouteBody::kText, RouteKind::kQuick, RouteAccess::kAnyone},
+    Route{kGet, "/assets/{name}", get_asset, RouteBody::kText, RouteKind::kQuick,
+          RouteAccess::kAnyone},
+
     Route{kGet, "/api/v1/files", get_files},
     Route{kGet, "/api/v1/files/{name}", get_file},
     Route{kPut, "/api/v1/files/{name}", put_file, RouteBody::kUpload},

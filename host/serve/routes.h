@@ -39,12 +39,18 @@ enum class RouteKind : std::uint8_t {
   kEvents,  ///< Becomes a stream of events.
 };
 
+enum class RouteAccess : std::uint8_t {
+  kKey,     ///< Whoever shows the key, where one is needed.
+  kAnyone,  ///< The page: it is the same for all, and asks for the key.
+};
+
 struct Route {
   HttpMethod method;
   std::string_view pattern;  ///< "/api/v1/jobs/{id}"
   HttpResponse (*handle)(const HttpRequest&, Services&);
   RouteBody body = RouteBody::kText;
   RouteKind kind = RouteKind::kQuick;
+  RouteAccess access = RouteAccess::kKey;
 };
 
 /// All of them.

@@ -69,7 +69,7 @@ TEST_CASE("Wrong requests are answered with what is wrong with them") {
   const test::RunningDaemon daemon;
   REQUIRE(daemon.put("/api/v1/files/part.lua", lua()).status == 201);
 
-  CHECK(daemon.get("/").status == 404);
+  CHECK(daemon.get("/nothing").status == 404);
   CHECK(daemon.post("/api/v1/files").status == 405);
   CHECK(daemon.post("/api/v1/files").headers.at("allow") == "GET");
   CHECK(daemon.put("/api/v1/files/page.html", "<html>").status == 400);
@@ -157,6 +157,27 @@ TEST_CASE("A client that asks first is told to go on; an upload that breaks off 
   CHECK(test::json_of(daemon.get("/api/v1/files"))["files"].size() == 1);
 }
 
+TEST_CASE("The page and all it is made of are there, and may load nothing from elsewhere") {
+  const test::RunningDaemon daemon;
+
+  const auto page = daemon.get("/");
+  CHECK(page.status == 200);
+  CHECK_THAT(page.headers.at("content-type"), Contains("text/html"));
+  CHECK_THAT(page.headers.at("content-security-policy"), Contains("default-src 'none'"));
+  CHECK(page.headers.at("x-content-type-options") == "nosniff");
+  CHECK(page.body.find("<script>") == page.body.npos);
+  CHECK(page.body.find("onclick") == page.body.npos);
+  for (const char* name : {"style.css", "main.js", "api.js", "draw.js", "preview.js"}) {
+    INFO(name);
+    const auto asset = daemon.get(std::string("/assets/") + name);
+    std::ifstream file(std::string(SLIPSTICK_SOURCE_DIR) + "/host/web/" + name);
+    CHECK(asset.body == std::string(std::istreambuf_iterator<char>(file), {}));
+    CHECK(asset.body.find("innerHTML") == asset.body.npos);
+  }
+  CHECK(daemon.get("/assets/..%2fembed.cmake").status == 404);
+  CHECK(daemon.get("/assets/embed.cmake").status == 404);
+}
+
 TEST_CASE("Off this machine a key is needed, for everything") {
   const test::RunningDaemon daemon("sim:", "0.0.0.0:0");
   REQUIRE(daemon.key().size() == 64);
@@ -164,6 +185,7 @@ TEST_CASE("Off this machine a key is needed, for everything") {
 
   CHECK(daemon.get("/api/v1/printer").status == 403);
   CHECK(daemon.get("/api/v1/events").status == 403);
+  CHECK(daemon.get("/").status == 200);  // the page asks for the key
   CHECK(daemon.put("/api/v1/files/a.lua", lua()).status == 403);
   CHECK(test::request(daemon.port(), "GET", "/api/v1/printer", "", shown).status == 200);
   const auto mode = std::filesystem::status(daemon.data() / "api_key").permissions();

@@ -1,0 +1,57 @@
+// Requests to the daemon this page came from, and its stream of events.
+
+const KEY = 'slipstick-key';
+
+export class Refused extends Error {
+  constructor(status, message) {
+    super(message);
+    this.status = status;
+  }
+}
+
+export function useKey(key) {
+  localStorage.setItem(KEY, key);
+}
+
+function headers() {
+  const key = localStorage.getItem(KEY);
+  return key ? {'X-Api-Key': key} : {};
+}
+
+async function checked(response) {
+  if (response.ok) return response;
+  let message = `${response.status} ${response.statusText}`;
+  try {
+    message = (await response.json()).error;
+  } catch { /* the status says it */ }
+  throw new Refused(response.status, message);
+}
+
+// What is answered, or null if there is no body.
+export async function ask(method, path, body) {
+  const response = await checked(await fetch('/api/v1/' + path, {method, body, headers: headers()}));
+  return response.status === 204 ? null : response.json();
+}
+
+export function specQuery(spec) {
+  return '?spec=' + encodeURIComponent(JSON.stringify(spec));
+}
+
+// Calls `on(type, data)` for each event until the stream ends.
+export async function listen(on) {
+  const response = await checked(await fetch('/api/v1/events', {headers: headers()}));
+  const reader = response.body.pipeThrough(new TextDecoderStream()).getReader();
+  let text = '';
+  for (;;) {
+    const {value, done} = await reader.read();
+    if (done) return;
+    text += value;
+    const events = text.split('\n\n');
+    text = events.pop();
+    for (const event of events) {
+      const type = /^event: (.*)$/m.exec(event);
+      const data = /^data: (.*)$/m.exec(event);
+      if (type && data) on(type[1], JSON.parse(data[1]));
+    }
+  }
+}

@@ -1,0 +1,29 @@
+# Writes the files of this folder that browsers get into one C++ source, so that the program is all
+# there is to install. Configured anew when one of them changes.
+set(web_files index.html style.css main.js api.js draw.js preview.js)
+set(entries "")
+foreach(name ${web_files})
+  set(path ${CMAKE_CURRENT_LIST_DIR}/${name})
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${path})
+  file(READ ${path} text)
+  string(APPEND entries "    {\"${name}\", R\"__web__(${text})__web__\"},\n")
+endforeach()
+set(source "#include \"host/serve/web_assets.h\"
+
+#include <array>
+
+namespace slipstick {
+namespace {
+
+constexpr std::array kAssets = std::to_array<WebAsset>({
+${entries}});
+
+}  // namespace
+
+std::span<const WebAsset> web_assets() {
+  return kAssets;
+}
+
+}  // namespace slipstick
+")
+file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/web_assets.cpp CONTENT "${source}")

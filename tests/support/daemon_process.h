@@ -1,0 +1,28 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace slipstick::test {
+
+/// `slipstick serve` as a process of its own, on a port of its own.
+class DaemonProcess {
+ public:
+  DaemonProcess(const std::filesystem::path& data, const std::string& printer);
+  ~DaemonProcess();
+  DaemonProcess(const DaemonProcess&) = delete;
+  DaemonProcess& operator=(const DaemonProcess&) = delete;
+
+  [[nodiscard]] std::uint16_t port() const { return port_; }
+  /// Sends `signal` and waits for the end. \return the exit status, or 128 + the signal.
+  int end(int signal);
+
+ private:
+  pid_t process_ = -1;
+  std::uint16_t port_ = 0;
+};
+
+}  // namespace slipstick::test
