@@ -49,7 +49,8 @@ class Talk {
     says("ok");
   }
 
-  Sender sender;
+  /// Numbers from 0, so that they can be read.
+  Sender sender{{.first_number = 0}};
   Moment now{};
 };
 
