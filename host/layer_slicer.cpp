@@ -1,5 +1,7 @@
 #include "host/layer_slicer.h"
 
+#include <algorithm>
+
 #include "core/contour/audit.h"
 #include "core/contour/place_roots.h"
 #include "core/contour/place_smooth.h"
@@ -26,6 +28,7 @@ std::size_t count_violations(const Outline& outline, const BitImage& image) {
 LayerSlicer::LayerSlicer(const PlacedSolid& placed, const SliceGrid& grid, const LayerStack& stack,
                          const PrintSettings& settings, SliceGoal goal)
     : solid_(placed.solid),
+      bounds_(placed.bounds),
       stack_(stack),
       settings_(settings),
       goal_(goal),
@@ -34,7 +37,8 @@ LayerSlicer::LayerSlicer(const PlacedSolid& placed, const SliceGrid& grid, const
 Result<SlicedLayer> LayerSlicer::slice(int layer) {
   const auto image = images_.image(layer);
   if (!image) return fail(image.error());
-  SlicedLayer result = contours(layer, **image);
+  SlicedLayer result = contours(layer, *image);
+  if (settings_.slicing.certify != Certification::kOff) certify(result);
   if (goal_ == SliceGoal::kToolpaths) {
     if (const auto ok = add_toolpaths(**image, result); !ok) return fail(ok.error());
   }
@@ -45,26 +49,50 @@ void LayerSlicer::finished_below(int layer) {
   images_.forget_below(layer - settings_.toolpath.bottom_layers);
 }
 
-SlicedLayer LayerSlicer::contours(int layer, const BitImage& image) const {
+SlicedLayer LayerSlicer::contours(int layer, const ImageWindow::Image& image) const {
   StepSeconds seconds;
   Stopwatch watch;
-  ContourSet traced = trace(image, settings_.slicing.ambiguity);
+  ContourSet traced = trace(*image, settings_.slicing.ambiguity);
   seconds.contour = watch.lap();
   place(traced, stack_.middle(layer));
   seconds.place = watch.lap();
   Simplified simplified = simplify(traced);
   seconds.simplify = watch.lap();
-  const std::size_t violations = count_violations(simplified.outline, image);
+  const std::size_t violations = count_violations(simplified.outline, *image);
   seconds.verify = watch.lap();
   return {layer,
           stack_.middle(layer),
           stack_.top(layer),
+          image,
           std::move(simplified),
           violations,
           traced.ambiguous_squares(),
           {},
           {},
+          {},
           seconds};
+}
+
+// The slice and the slab above it; what is below the first slice belongs to that, too.
+void LayerSlicer::certify(SlicedLayer& layer) const {
+  const auto field = solid_->field();
+  if (!field) return;
+  Stopwatch watch;
+  const BitImage& image = *layer.image;
+  const double beyond = image.grid().width();
+  const bool last = layer.index + 1 == stack_.count();
+  const double above =
+      last ? std::max(bounds_.high.z, layer.middle) + beyond : stack_.middle(layer.index + 1);
+  const CertifyEffort effort = settings_.slicing.certify == Certification::kStrict
+                                   ? CertifyEffort::kThorough
+                                   : CertifyEffort::kQuick;
+  LayerCertificate certificate = certify_layer(*field, image, layer.middle, above, effort);
+  if (layer.index == 0) {
+    const double low = std::min(bounds_.low.z, layer.middle) - beyond;
+    certificate += certify_slab(*field, image.grid(), low, layer.middle);
+  }
+  layer.certificate = std::move(certificate);
+  layer.seconds.certify = watch.lap();
 }
 
 void LayerSlicer::place(ContourSet& contours, double z) const {
@@ -83,6 +111,8 @@ void LayerSlicer::place(ContourSet& contours, double z) const {
 Simplified LayerSlicer::simplify(const ContourSet& contours) const {
   const SimplifyOptions options{settings_.slicing.tolerance, settings_.slicing.alpha};
   switch (settings_.slicing.simplify) {
+    case Simplification::kFewest:
+      return simplify_fewest(contours, options);
     case Simplification::kVsa:
       return simplify_vsa(contours, options);
     case Simplification::kGreedy:

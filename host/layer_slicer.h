@@ -33,13 +33,15 @@ class LayerSlicer {
   [[nodiscard]] const LayerStack& stack() const { return stack_; }
 
  private:
-  [[nodiscard]] SlicedLayer contours(int layer, const BitImage& image) const;
+  [[nodiscard]] SlicedLayer contours(int layer, const ImageWindow::Image& image) const;
+  void certify(SlicedLayer& layer) const;
   void place(ContourSet& contours, double z) const;
   [[nodiscard]] Simplified simplify(const ContourSet& contours) const;
   [[nodiscard]] Result<void> add_toolpaths(const BitImage& image, SlicedLayer& layer);
   [[nodiscard]] Result<BitImage> common_part(int from, int to);
 
   const std::shared_ptr<const Solid> solid_;
+  const Box3 bounds_;
   const LayerStack stack_;
   const PrintSettings settings_;
   const SliceGoal goal_;

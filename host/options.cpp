@@ -22,15 +22,16 @@ struct Shorthand {
   const char* help;
 };
 
-constexpr std::array<Shorthand, 9> kShorthands{{
+constexpr std::array<Shorthand, 10> kShorthands{{
     {"--layer-height", "layer_height", "mm"},
     {"--first-layer-height", "first_layer_height", "mm"},
     {"--sampling", "sampling", "the paper's r', mm"},
     {"--alpha", "alpha", "clustering ratio of --simplify vsa"},
     {"--place", "place", "roots, sliding, projection or midpoints"},
-    {"--simplify", "simplify", "vsa, greedy or none"},
+    {"--simplify", "simplify", "fewest, vsa, greedy or none"},
     {"--tolerance", "tolerance", "mm a simplified contour may be off"},
     {"--ambiguity", "ambiguity", "solid or void: what diagonal samples join"},
+    {"--certify", "certify", "strict, report or off: slices that cannot be proved"},
     {"--infill", "infill_density", "0 to 1"},
 }};
 
@@ -108,7 +109,9 @@ void SlicingOptions::add_to(CLI::App& app) {
     const std::string key = s.key;
     app.add_option_function<std::string>(
         s.option,
-        [this, key](const std::string& value) { shorthands_.push_back(key + "=" + value); },
+        [this, key](const std::string& value) {
+          shorthands_.push_back(fmt::format("{}={}", key, value));
+        },
         s.help);
   }
   app.add_option("--layers", layers, "only layers A:B, from 0, B not included");

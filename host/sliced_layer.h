@@ -3,8 +3,10 @@
 #include <memory>
 #include <optional>
 
+#include "core/contour/certify.h"
 #include "core/contour/simplify.h"
 #include "core/gcode/layer_program.h"
+#include "core/image/bit_image.h"
 #include "core/toolpath/path.h"
 
 namespace slipstick {
@@ -16,6 +18,7 @@ struct StepSeconds {
   double place = 0;
   double simplify = 0;
   double verify = 0;
+  double certify = 0;
   double toolpath = 0;
   double gcode = 0;
 
@@ -25,6 +28,7 @@ struct StepSeconds {
     place += other.place;
     simplify += other.simplify;
     verify += other.verify;
+    certify += other.certify;
     toolpath += other.toolpath;
     gcode += other.gcode;
     return *this;
@@ -36,11 +40,13 @@ struct SlicedLayer {
   int index = 0;
   double middle = 0;  ///< mm: height of the slicing plane.
   double top = 0;     ///< mm: upper face.
+  std::shared_ptr<const BitImage> image;
   Simplified contours;
   std::size_t violations = 0;
   std::int64_t ambiguous_squares = 0;
-  std::optional<LayerToolpaths> toolpaths;  ///< Where toolpaths were asked for.
-  std::optional<LayerProgram> program;      ///< Likewise.
+  std::optional<LayerCertificate> certificate;  ///< Where asked for and possible.
+  std::optional<LayerToolpaths> toolpaths;      ///< Where toolpaths were asked for.
+  std::optional<LayerProgram> program;          ///< Likewise.
   StepSeconds seconds;
 };
 

@@ -21,10 +21,15 @@ int thread_count(int wanted) {
 Result<std::unique_ptr<SlicingJob>> SlicingJob::start(const PlacedSolid& placed,
                                                       const SlicingRequest& request) {
   const Box3& b = placed.bounds;
+  const SlicingSettings& slicing = request.settings.slicing;
+  if (slicing.certify == Certification::kStrict && !placed.solid->field()) {
+    return fail(ErrorCode::kInput,
+                "nothing can be certified of a solid that is not a formula; use --certify report");
+  }
   const auto grid = SliceGrid::over({{b.low.x, b.low.y}, {b.high.x, b.high.y}},
-                                    request.settings.slicing.sampling);
+                                    LayerStack::aligned_sampling(slicing));
   if (!grid) return fail(grid.error());
-  const auto stack = LayerStack::over(b.high.z, request.settings.slicing);
+  const auto stack = LayerStack::over(b.high.z, slicing);
   if (!stack) return fail(stack.error());
   if (request.first_layer < 0 || request.first_layer >= stack->count() ||
       request.end_layer.value_or(stack->count()) <= request.first_layer) {
@@ -40,7 +45,9 @@ SlicingJob::SlicingJob(const PlacedSolid& placed, const SliceGrid& grid, const L
       first_(request.first_layer),
       end_(std::min(request.end_layer.value_or(stack.count()), stack.count())),
       threads_(thread_count(request.threads)),
-      slicer_(placed, grid, stack, request.settings, request.goal) {
+      certification_(request.settings.slicing.certify),
+      slicer_(placed, grid, stack, request.settings, request.goal),
+      ledger_(request.settings.slicing.ambiguity) {
   crew_ = std::make_unique<OrderedCrew<SlicedLayer>>(
       OrderedCrew<SlicedLayer>::Options{first_, end_, threads_, threads_ + kReserve},
       [this](int layer) { return slicer_.slice(layer); });
@@ -51,12 +58,17 @@ Result<std::optional<SlicedLayer>> SlicingJob::next() {
   if (layer && *layer) {
     add(**layer);
     slicer_.finished_below((*layer)->index + 1);
+    const auto& certificate = (*layer)->certificate;
+    if (certification_ == Certification::kStrict && certificate && !certificate->proved()) {
+      return fail(ErrorCode::kInput, "not certified: " + unproved_text(**layer));
+    }
   }
   return layer;
 }
 
 void SlicingJob::add(const SlicedLayer& layer) {
   ++totals_.layers;
+  ledger_.add(*layer.image);
   totals_.edges_before += layer.contours.edges_before;
   totals_.edges_after += layer.contours.outline.edges();
   totals_.max_deviation = std::max(totals_.max_deviation, layer.contours.max_deviation);
@@ -64,6 +76,7 @@ void SlicingJob::add(const SlicedLayer& layer) {
       std::max(totals_.max_regional_distortion, layer.contours.max_regional_distortion);
   totals_.violations += layer.violations;
   totals_.ambiguous_squares += layer.ambiguous_squares;
+  totals_.certified.add(layer);
   totals_.seconds += layer.seconds;
   totals_.seconds.sample = slicer_.sampling_seconds();
   if (!layer.program) return;

@@ -4,6 +4,8 @@
 #include <memory>
 #include <optional>
 
+#include "core/contour/ledger.h"
+#include "host/certified_totals.h"
 #include "host/layer_slicer.h"
 #include "host/ordered_crew.h"
 
@@ -29,6 +31,7 @@ struct SlicingTotals {
   std::int64_t ambiguous_squares = 0;
   double filament_mm = 0;
   double print_seconds = 0;  ///< Estimated.
+  CertifiedTotals certified;
   StepSeconds seconds;
 };
 
@@ -38,22 +41,26 @@ struct SlicingTotals {
 /// Threads: one consumer.
 class SlicingJob {
  public:
-  /// \return kInput if the lattice or the number of layers would be too large, or the range is
-  /// empty.
+  /// \return kInput if the lattice or the number of layers would be too large, the range is empty,
+  /// or certification is strict and the solid has no formula to certify from.
   [[nodiscard]] static Result<std::unique_ptr<SlicingJob>> start(const PlacedSolid& placed,
                                                                  const SlicingRequest& request);
 
   /// Waits for the next layer, bottom to top. Nothing after the last.
+  /// \return kInput as well where certification is strict and the layer is not proved.
   [[nodiscard]] Result<std::optional<SlicedLayer>> next();
 
   /// Whether `next` would not wait.
   [[nodiscard]] bool ready() const { return crew_->ready(); }
 
   [[nodiscard]] const SlicingTotals& totals() const { return totals_; }
+  /// Of the layers handed over so far.
+  [[nodiscard]] Topology topology() const { return ledger_.topology(); }
   [[nodiscard]] const SliceGrid& grid() const { return grid_; }
   [[nodiscard]] const LayerStack& stack() const { return slicer_.stack(); }
   [[nodiscard]] int first_layer() const { return first_; }
   [[nodiscard]] int end_layer() const { return end_; }
+  [[nodiscard]] Certification certification() const { return certification_; }
   [[nodiscard]] int threads() const { return threads_; }
 
  private:
@@ -65,8 +72,10 @@ class SlicingJob {
   const int first_;
   const int end_;
   const int threads_;
+  const Certification certification_;
   LayerSlicer slicer_;
   SlicingTotals totals_;
+  StackLedger ledger_;
   std::unique_ptr<OrderedCrew<SlicedLayer>> crew_;  // last: its workers use what stands above
 };
 

@@ -145,9 +145,6 @@ bool Executor::run_talk(const GcodeCommand& command) {
         text_ += fmt::format("echo:M113 S{}\n", busy_period_ / Moment(1'000'000));
       }
       return true;
-    case 115:
-      text_ += capability_report();
-      return true;
     case 117:
       return true;
     case 118:

@@ -13,7 +13,7 @@ namespace slipstick {
 /// Commands -> machine. One command runs at a time; most end at once, some wait for the planner,
 /// the clock or a heater, as their handlers in Marlin do.
 ///
-/// M110 and M112 belong to the firmware (firmware.h), which owns line numbers and life.
+/// M110, M112 and M115 belong to the firmware (firmware.h), which owns line numbers, life and name.
 class Executor {
  public:
   static constexpr Moment kHomingTime{

@@ -11,8 +11,23 @@
 
 namespace slipstick {
 
-Firmware::Firmware(Machine& machine, Moment power_on)
-    : machine_(machine), executor_(machine), boot_at_(power_on + kBootTime) {}
+namespace {
+
+std::string repetier_error(Verdict verdict, const LineGate& gate) {
+  if (verdict == Verdict::kWrongChecksum) return "Error:Wrong checksum\n";
+  if (verdict == Verdict::kNoChecksum) return "Error:Missing checksum\n";
+  return fmt::format("Error:expected line {} got {}\n", gate.last_number() + 1, gate.seen_number());
+}
+
+}  // namespace
+
+Firmware::Firmware(Machine& machine, const Personality& personality, Moment power_on)
+    : machine_(machine),
+      personality_(personality),
+      executor_(machine),
+      reader_(personality.line_max),
+      gate_(personality.lines),
+      boot_at_(power_on + kBootTime) {}
 
 std::string Firmware::take_text() {
   return std::exchange(text_, {});
@@ -21,6 +36,12 @@ std::string Firmware::take_text() {
 bool Firmware::step(Moment now) {
   if (machine_.halted) return false;
   if (!booted_) return boot(now);
+  if (!work(now)) return idle(now);
+  wait_at_ = now + personality_.wait_period;
+  return true;
+}
+
+bool Firmware::work(Moment now) {
   if (resending_) {
     request_resend();
     return true;
@@ -30,7 +51,8 @@ bool Firmware::step(Moment now) {
 
 bool Firmware::boot(Moment now) {
   if (now < boot_at_) return false;
-  text_ += banner_report(machine_);
+  text_ += banner_report(personality_, machine_);
+  wait_at_ = now + personality_.wait_period;
   booted_ = true;
   return true;
 }
@@ -47,40 +69,65 @@ bool Firmware::read_lines() {
 
 void Firmware::receive(std::string_view line) {
   const Verdict verdict = gate_.judge(line);
-  if (verdict == Verdict::kDuplicate) return;
+  if (verdict == Verdict::kDropped) return;
+  if (verdict == Verdict::kSkipped) {
+    text_ += fmt::format("skip {}\n", gate_.seen_number()).append(kOk);
+    return;
+  }
   if (verdict != Verdict::kAccepted) return reject(verdict);
   obey_early(line);
   if (machine_.halted) return;
+  if (personality_.ok == OkTime::kWhenReceived) text_ += kOk;
   queue_.emplace_back(line);
   ++lines_accepted_;
 }
 
 void Firmware::reject(Verdict verdict) {
-  text_ += fmt::format("Error:{}{}\n", error_text(verdict), gate_.last_number());
-  resending_ = true;
+  if (personality_.complaint == Complaint::kMarlin) {
+    text_ += fmt::format("Error:{}{}\n", error_text(verdict), gate_.last_number());
+  } else if (personality_.complaint == Complaint::kRepetier) {
+    text_ += repetier_error(verdict, gate_);
+  }
+  // Marlin 1.0 finds fault with a lone checksum but does not ask again.
+  const bool asks =
+      verdict != Verdict::kNoNumber || personality_.lines.numbers != NumberCheck::kAnyN;
+  resending_ = asks;
 }
 
 void Firmware::request_resend() {
   ring_.clear();
-  text_ += fmt::format("Resend: {}\n", gate_.last_number() + 1).append(kOk);
+  text_ += fmt::format("{}{}\n", personality_.resend, gate_.last_number() + 1)
+               .append(personality_.resend_tail);
   resending_ = false;
   ++resends_requested_;
 }
 
 void Firmware::obey_early(std::string_view line) {
   line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
-  if (line.starts_with("M108")) executor_.stop_waiting();
-  if (line.starts_with("M112")) kill();
+  const auto matches = [&](std::string_view code) {
+    if (personality_.early == EarlyStop::kPrefix) return line.starts_with(code);
+    return (personality_.early == EarlyStop::kExact ? line : bare_command(line)) == code;
+  };
+  if (matches("M108")) executor_.stop_waiting();
+  if (matches("M112")) kill();
 }
 
 void Firmware::kill() {
-  text_ += kKilled;
+  text_ += personality_.killed;
   machine_.halt();
 }
 
+bool Firmware::idle(Moment now) {
+  if (personality_.wait_period <= Moment(0) || !queue_.empty() || now < wait_at_) return false;
+  text_ += "wait\n";
+  wait_at_ = now + personality_.wait_period;
+  return true;
+}
+
 bool Firmware::stay_busy(Moment now) {
-  if (!executor_.running() || executor_.busy_period() <= Moment(0) || now < busy_at_) return false;
-  text_ += kBusy;
+  if (!executor_.running() || personality_.busy.empty()) return false;
+  if (executor_.busy_period() <= Moment(0) || now < busy_at_) return false;
+  text_ += personality_.busy;
   busy_at_ = now + executor_.busy_period();
   return true;
 }
@@ -98,7 +145,8 @@ bool Firmware::report(Moment now) {
 
 void Firmware::begin_command(Moment now) {
   busy_at_ = now + executor_.busy_period();
-  ok_due_ = true;
+  const bool late_ok = personality_.ok == OkTime::kWhenDone;
+  ok_due_ = late_ok;
   const auto command = parse_gcode(queue_.front());
   if (command && command->is('M', 112)) return kill();
   if (command && command->is('M', 110)) {
@@ -108,8 +156,13 @@ void Firmware::begin_command(Moment now) {
     }
     return;
   }
+  if (command && command->is('M', 115)) {
+    text_ += identity_report(personality_);
+    ok_due_ = late_ok && !personality_.identity.starts_with("ok");
+    return;
+  }
   executor_.begin(queue_.front(), command, now);
-  ok_due_ = executor_.wants_ok();
+  ok_due_ = late_ok && executor_.wants_ok();
 }
 
 bool Firmware::run_command(Moment now) {
@@ -119,7 +172,9 @@ bool Firmware::run_command(Moment now) {
   if (machine_.halted) return true;
 
   const bool returned = !executor_.running() || executor_.proceed(now);
-  const std::string printed = executor_.take_text();
+  std::string printed = executor_.take_text();
+  // M105's "ok" went out when it was received; its temperatures stand alone.
+  if (personality_.ok == OkTime::kWhenReceived && printed.starts_with("ok ")) printed.erase(0, 3);
   text_ += printed;
   if (!returned) return fresh || !printed.empty();
   if (ok_due_) text_ += kOk;
@@ -138,8 +193,9 @@ std::optional<Moment> Firmware::wakes_at(Moment now) const {
   std::optional<Moment> first;
   const auto consider = [&first](Moment m) { first = first ? std::min(*first, m) : m; };
   if (report_period_ > Moment(0)) consider(report_at_);
+  if (personality_.wait_period > Moment(0) && queue_.empty()) consider(wait_at_);
   if (!executor_.running()) return first;
-  if (executor_.busy_period() > Moment(0)) consider(busy_at_);
+  if (!personality_.busy.empty() && executor_.busy_period() > Moment(0)) consider(busy_at_);
   if (const auto m = executor_.wakes_at()) consider(*m);
   return first;
 }

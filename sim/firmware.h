@@ -9,22 +9,23 @@
 #include "sim/line_gate.h"
 #include "sim/line_reader.h"
 #include "sim/machine.h"
+#include "sim/personality.h"
 #include "sim/rx_ring.h"
 
 namespace slipstick {
 
-/// Marlin 2.1.2's main loop: receive buffer, line check, command queue, ok, resend, busy, reports.
+/// A firmware's main loop, Marlin's unless its personality says otherwise: receive buffer, line
+/// check, command queue, ok, resend, busy, reports.
 ///
 /// It runs in steps, each of which does what Marlin does between two prints: because printing
 /// blocks the processor (no transmit buffer), the caller lets the text of one step go out over the
 /// wire before the next one.
 class Firmware {
  public:
-  static constexpr std::size_t kQueueMax = 4;  ///< BUFSIZE, the running command included.
-  static constexpr Moment kBootTime{70'000};   ///< From power on to "start".
+  static constexpr Moment kBootTime{70'000};  ///< From power on to "start".
 
   /// Switched on at `power_on`.
-  Firmware(Machine& machine, Moment power_on);
+  Firmware(Machine& machine, const Personality& personality, Moment power_on);
 
   [[nodiscard]] RxRing& ring() { return ring_; }
 
@@ -42,7 +43,7 @@ class Firmware {
 
   /// Whether received bytes would be read now.
   [[nodiscard]] bool reads() const {
-    return booted_ && !machine_.halted && queue_.size() < kQueueMax;
+    return booted_ && !machine_.halted && queue_.size() < personality_.queue_max;
   }
 
   /// Numbered and unnumbered lines that entered the queue; Resend requests sent.
@@ -58,7 +59,10 @@ class Firmware {
   /// What Marlin obeys when it reads it, not when its turn comes: M108 and M112 at the start of a
   /// line.
   void obey_early(std::string_view line);
+  bool work(Moment now);
   bool report(Moment now);
+  /// Says "wait" where there was nothing to do for long.
+  bool idle(Moment now);
   bool stay_busy(Moment now);
   bool run_command(Moment now);
   [[nodiscard]] bool has_work() const;
@@ -66,6 +70,7 @@ class Firmware {
   void kill();
 
   Machine& machine_;
+  Personality personality_;
   Executor executor_;
   RxRing ring_;
   LineReader reader_;
@@ -77,6 +82,7 @@ class Firmware {
   bool ok_due_ = false;      ///< Whether the running command ends with "ok".
   bool resending_ = false;   ///< The Error line is out, the flush and the Resend are due.
   Moment busy_at_{0};        ///< When to say "busy", while a command runs.
+  Moment wait_at_{0};        ///< When to say "wait", if nothing happens before.
   Moment report_at_{0};      ///< Next automatic report.
   Moment report_period_{0};  ///< As it was when `report_at_` was set.
   std::int64_t lines_accepted_ = 0;

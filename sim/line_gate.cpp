@@ -33,29 +33,47 @@ unsigned char checksum(std::string_view text) {
 
 }  // namespace
 
-Verdict LineGate::judge(std::string_view line) {
-  line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
-  if (line.empty() || line[0] != 'N') return Verdict::kAccepted;
-
-  std::size_t at = 0;
-  const bool renumbers = line.find("M110") != std::string_view::npos;
-  if (renumbers) {
-    const std::size_t second = line.find('N', kSecondNumberFrom);
-    if (second != std::string_view::npos) at = second;
+Verdict LineGate::out_of_sequence(std::int64_t number) const {
+  constexpr std::int64_t kRemembered = 40;
+  const std::int64_t back = last_number_ - number;
+  if (rules_.duplicates == Duplicates::kDropLastTwo && (back == 0 || back == 1)) {
+    return Verdict::kDropped;
   }
-  const std::int64_t number = leading_integer(line.substr(at + 1));
-  if (number != last_number_ + 1 && !renumbers) {
-    const bool duplicate = number == last_number_ || number == last_number_ - 1;
-    return duplicate ? Verdict::kDuplicate : Verdict::kWrongNumber;
+  if (rules_.duplicates == Duplicates::kSkipLastForty && back >= 0 && back < kRemembered) {
+    return Verdict::kSkipped;
   }
+  return Verdict::kWrongNumber;
+}
 
-  const std::size_t star = line.rfind('*');
+Verdict LineGate::check(std::string_view line) const {
+  const std::size_t star = rules_.first_star ? line.find('*') : line.rfind('*');
   if (star == std::string_view::npos) return Verdict::kNoChecksum;
-  if (leading_integer(line.substr(star + 1)) != checksum(line.substr(0, star))) {
-    return Verdict::kWrongChecksum;
+  const bool right = leading_integer(line.substr(star + 1)) == checksum(line.substr(0, star));
+  return right ? Verdict::kAccepted : Verdict::kWrongChecksum;
+}
+
+Verdict LineGate::judge(std::string_view line) {
+  if (rules_.numbers == NumberCheck::kNone) return Verdict::kAccepted;
+  line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+  std::size_t at = line.find('N');
+  if (at != 0 && rules_.numbers != NumberCheck::kAnyN) at = std::string_view::npos;
+  if (at == std::string_view::npos) {
+    const bool lone = rules_.star_needs_number && line.find('*') != std::string_view::npos;
+    return lone ? Verdict::kNoNumber : Verdict::kAccepted;
   }
-  last_number_ = number;
-  return Verdict::kAccepted;
+  if (rules_.numbers == NumberCheck::kChecksumOnly) {
+    return check(line) == Verdict::kWrongChecksum ? Verdict::kDropped : Verdict::kAccepted;
+  }
+  const bool renumbers = line.find("M110") != std::string_view::npos;
+  if (const std::size_t second = line.find('N', kSecondNumberFrom);
+      renumbers && second != std::string_view::npos) {
+    at = second;
+  }
+  seen_number_ = leading_integer(line.substr(at + 1));
+  if (seen_number_ != last_number_ + 1 && !renumbers) return out_of_sequence(seen_number_);
+  const Verdict verdict = check(line);
+  if (verdict == Verdict::kAccepted) last_number_ = seen_number_;
+  return verdict;
 }
 
 std::string_view error_text(Verdict verdict) {
@@ -66,11 +84,14 @@ std::string_view error_text(Verdict verdict) {
       return "checksum mismatch, Last Line: ";
     case Verdict::kNoChecksum:
       return "No Checksum with line number, Last Line: ";
+    case Verdict::kNoNumber:
+      return "No Line Number with checksum, Last Line: ";
     case Verdict::kAccepted:
-    case Verdict::kDuplicate:
+    case Verdict::kDropped:
+    case Verdict::kSkipped:
       break;
   }
-  SLIPSTICK_CHECK(verdict != Verdict::kAccepted && verdict != Verdict::kDuplicate);
+  SLIPSTICK_CHECK(verdict > Verdict::kSkipped);
   return {};
 }
 

@@ -20,7 +20,7 @@ void LineReader::add(char byte) {
     return;
   }
   line_ += byte;
-  if (line_.size() >= kLengthMax) state_ = State::kSkipping;
+  if (line_.size() >= length_max_) state_ = State::kSkipping;
 }
 
 std::optional<std::string_view> LineReader::feed(char byte) {

@@ -14,7 +14,8 @@ constexpr std::uint64_t kOtherDirection = 0x5EED;
 
 Printer::Printer(const PrinterOptions& options, const Planner::Sink& sink)
     : machine_(std::make_unique<Machine>(options.build_volume, sink)),
-      firmware_(std::make_unique<Firmware>(*machine_, Moment(0))),
+      personality_(options.personality),
+      firmware_(std::make_unique<Firmware>(*machine_, personality_, Moment(0))),
       to_board_(options.baud, FaultPlan(options.corrupt, options.seed)),
       to_host_(options.baud, FaultPlan(options.corrupt, options.seed ^ kOtherDirection)) {}
 
@@ -84,7 +85,7 @@ void Printer::advance(Moment to) {
 
 void Printer::reset() {
   machine_->reset();
-  firmware_ = std::make_unique<Firmware>(*machine_, now_);
+  firmware_ = std::make_unique<Firmware>(*machine_, personality_, now_);
   busy_until_ = now_;
 }
 

@@ -19,6 +19,7 @@ struct PrinterOptions {
   double corrupt = 0;      ///< Share of bytes damaged, each way.
   std::uint64_t seed = 1;  ///< Of all chance.
   Vec3 build_volume{220, 220, 250};
+  Personality personality = default_personality();
 };
 
 /// What happened on the wire and on the machine so far.
@@ -30,7 +31,8 @@ struct PrinterStatistics {
   std::int64_t bytes_damaged = 0;  ///< Both ways.
 };
 
-/// A printer with a Marlin 2.1.2 board: bytes in, time, bytes out. Deterministic.
+/// A printer with a board, Marlin 2.1.2's unless another personality is given: bytes in, time,
+/// bytes out. Deterministic.
 ///
 /// It is switched on at moment 0 and says "start" 70 ms later. Nothing happens but by `advance`.
 class Printer {
@@ -68,6 +70,7 @@ class Printer {
   [[nodiscard]] bool processor_free() const { return now_ >= busy_until_; }
 
   std::unique_ptr<Machine> machine_;  ///< Behind a pointer so that a Printer can be moved.
+  Personality personality_;
   std::unique_ptr<Firmware> firmware_;
   BytePipe to_board_;
   BytePipe to_host_;

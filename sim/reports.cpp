@@ -40,17 +40,6 @@ std::string advanced_line(const MotionLimits& limits) {
                      limits.junction_deviation);
 }
 
-std::string banner_report(const Machine& machine) {
-  return "start\n"
-         "PowerUp\n"
-         "Marlin 2.1.2\n"
-         "echo: Last Updated: 2022-12-17 | Author: (none, default config)\n"
-         "echo: Compiled: Nov 22 2026\n"
-         "echo: Free Memory: 0  PlannerBufferBytes: 1280\n"
-         "echo:Hardcoded Default Settings Loaded\n" +
-         settings_report(machine);
-}
-
 std::string settings_report(const Machine& machine) {
   const MotionLimits& limits = machine.limits;
   return "echo:; Linear Units:\n"
@@ -79,52 +68,6 @@ std::string settings_report(const Machine& machine) {
          "echo:  M206 X0.00 Y0.00 Z0.00\n"
          "echo:; Hotend PID:\n"
          "echo:  M301 P22.20 I1.08 D114.00\n";
-}
-
-std::string capability_report() {
-  std::string text =
-      "FIRMWARE_NAME:Marlin 2.1.2 (Nov 22 2026 21:24:11) "
-      "SOURCE_CODE_URL:github.com/MarlinFirmware/Marlin PROTOCOL_VERSION:1.0 "
-      "MACHINE_TYPE:SimRap 1.4 EXTRUDER_COUNT:1 UUID:cede2a2f-41a2-4748-9b12-c55c62f367ff\n";
-  // ARCS is 0: this machine is one that was built without them.
-  for (const char* capability : {"SERIAL_XON_XOFF:0",
-                                 "BINARY_FILE_TRANSFER:0",
-                                 "EEPROM:0",
-                                 "VOLUMETRIC:1",
-                                 "AUTOREPORT_POS:0",
-                                 "AUTOREPORT_TEMP:1",
-                                 "PROGRESS:0",
-                                 "PRINT_JOB:1",
-                                 "AUTOLEVEL:0",
-                                 "RUNOUT:0",
-                                 "Z_PROBE:0",
-                                 "LEVELING_DATA:0",
-                                 "BUILD_PERCENT:0",
-                                 "SOFTWARE_POWER:0",
-                                 "TOGGLE_LIGHTS:0",
-                                 "CASE_LIGHT_BRIGHTNESS:0",
-                                 "EMERGENCY_PARSER:0",
-                                 "HOST_ACTION_COMMANDS:0",
-                                 "PROMPT_SUPPORT:0",
-                                 "SDCARD:0",
-                                 "REPEAT:0",
-                                 "SD_WRITE:0",
-                                 "AUTOREPORT_SD_STATUS:0",
-                                 "LONG_FILENAME:0",
-                                 "LFN_WRITE:0",
-                                 "CUSTOM_FIRMWARE_UPLOAD:0",
-                                 "EXTENDED_M20:0",
-                                 "THERMAL_PROTECTION:1",
-                                 "MOTION_MODES:0",
-                                 "ARCS:0",
-                                 "BABYSTEPPING:0",
-                                 "CHAMBER_TEMPERATURE:0",
-                                 "COOLER_TEMPERATURE:0",
-                                 "MEATPACK:0",
-                                 "CONFIG_EXPORT:0"}) {
-    text += fmt::format("Cap:{}\n", capability);
-  }
-  return text;
 }
 
 std::string position_report(const Machine& machine, Moment now) {

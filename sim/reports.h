@@ -11,8 +11,6 @@ namespace slipstick {
 /// What Marlin 2.1.2 says, to the byte. Whole lines with their line ends unless a name says
 /// otherwise.
 
-[[nodiscard]] std::string banner_report(const Machine& machine);
-[[nodiscard]] std::string capability_report();
 [[nodiscard]] std::string settings_report(const Machine& machine);
 /// X:… Count …
 [[nodiscard]] std::string position_report(const Machine& machine, Moment now);
@@ -28,9 +26,6 @@ namespace slipstick {
 [[nodiscard]] std::string advanced_line(const MotionLimits& limits);
 
 inline constexpr std::string_view kOk = "ok\n";
-inline constexpr std::string_view kBusy = "echo:busy: processing\n";
-inline constexpr std::string_view kKilled =
-    "echo:M112 Shutdown\nError:Printer halted. kill() called!\n";
 inline constexpr std::string_view kColdExtrusion = "echo: cold extrusion prevented\n";
 inline constexpr std::string_view kLongExtrusion = "echo: too long extrusion prevented\n";
 

@@ -48,7 +48,9 @@ Result<void> apply(SimOptions& options, const std::string& name, const std::stri
     if (value != "0" && value != "1") return bad_value(name, value, "0 or 1");
     options.realtime = value == "1";
   } else if (name == "firmware") {
-    if (value != "marlin-2.1.2") return bad_value(name, value, "marlin-2.1.2, the only one yet");
+    const auto personality = find_personality(value);
+    if (!personality) return bad_value(name, value, "one of " + personality_names());
+    options.printer.personality = *personality;
   } else {
     return fail(
         ErrorCode::kInput,

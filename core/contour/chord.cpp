@@ -16,8 +16,10 @@ Vec2 difference(GridPoint a, GridPoint b) {
 }  // namespace
 
 bool stabs(const LoopView& loop, Run run) {
-  const GridPoint a = loop.vertex(run.first);
-  const GridPoint b = loop.vertex(run.last);
+  return stabs(loop, run, loop.vertex(run.first), loop.vertex(run.last));
+}
+
+bool stabs(const LoopView& loop, Run run, GridPoint a, GridPoint b) {
   for (std::size_t i = run.first + 1; i < run.last; ++i) {
     if (!crosses(a, b, loop.stick(i))) return false;
   }

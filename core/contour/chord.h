@@ -23,6 +23,7 @@ class LoopView {
 
   [[nodiscard]] std::size_t size() const { return sticks_.size(); }
   [[nodiscard]] Stick stick(std::size_t i) const { return sticks_[wrapped(i)]; }
+  [[nodiscard]] Place place(std::size_t i) const { return places_[wrapped(i)]; }
   [[nodiscard]] GridPoint vertex(std::size_t i) const {
     const std::size_t k = wrapped(i);
     return position(sticks_[k], places_[k]);
@@ -48,6 +49,8 @@ struct Run {
 /// self-intersection and separates the same samples: edges of different runs stay in disjoint
 /// corridors.
 [[nodiscard]] bool stabs(const LoopView& loop, Run run);
+/// The same for an edge from `a` to `b`, which may lie elsewhere on the first and last stick.
+[[nodiscard]] bool stabs(const LoopView& loop, Run run, GridPoint a, GridPoint b);
 
 /// An upper bound, in 1/65536 of a cell, of the Fréchet distance between `run` and the edge joining
 /// its ends: the largest distance of a vertex from its partner on the edge, partners being the feet

@@ -19,6 +19,23 @@ void OutlineBuilder::add(const ContourSet::Loop& loop, std::span<const std::size
   loops_.push_back(std::move(result));
 }
 
+void OutlineBuilder::add(const ContourSet::Loop& loop, std::span<const Kept> kept,
+                         std::span<const double> bounds) {
+  SLIPSTICK_CHECK(kept.size() >= 3);
+  const LoopView view(contours_, loop);
+  Outline::Loop result{{}, loop.depth};
+  result.points.reserve(kept.size());
+  for (const Kept& k : kept) result.points.push_back(position(view.stick(k.index), k.place));
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    const bool last = i + 1 == kept.size();
+    const Run run{kept[i].index, last ? kept[0].index + loop.count : kept[i + 1].index};
+    const GridPoint end = result.points[last ? 0 : i + 1];
+    SLIPSTICK_CHECK(run.first < run.last && stabs(view, run, result.points[i], end));
+  }
+  for (const double bound : bounds) max_deviation_ = std::max(max_deviation_, bound);
+  loops_.push_back(std::move(result));
+}
+
 void OutlineBuilder::note_distortion(double distortion) {
   max_distortion_ = std::max(max_distortion_, distortion);
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/contour/chord.h"
+#include "core/contour/frechet.h"
 #include "core/contour/simplify.h"
 
 namespace slipstick {
@@ -18,6 +19,11 @@ class OutlineBuilder {
   /// Adds `loop` with the vertices `kept` (ascending, at least 3). \pre Every run between
   /// neighbours stabs.
   void add(const ContourSet::Loop& loop, std::span<const std::size_t> kept);
+
+  /// The same for vertices that have moved on their sticks.
+  /// \param bounds of `frechet_bounds`.
+  void add(const ContourSet::Loop& loop, std::span<const Kept> kept,
+           std::span<const double> bounds);
 
   /// Counts a regional distortion (mm³) into the maximum.
   void note_distortion(double distortion);

@@ -25,6 +25,14 @@ struct Simplified {
   double max_regional_distortion = 0;  ///< mm³, the paper's D' (equation 5).
 };
 
+/// The fewest edges that windows of `tolerance` about the places allow, vertices at one of three
+/// candidates on their sticks; among the fewest the least distortion. Exact for the loop cut open
+/// at one vertex, and searched for edges that skip at most `Wedge::kSpanMax` sticks; where the
+/// Fréchet distance found is beyond the tolerance, windows are narrowed there and the loop is
+/// searched again.
+[[nodiscard]] Simplified simplify_fewest(const ContourSet& contours,
+                                         const SimplifyOptions& options);
+
 /// All vertices as they are.
 [[nodiscard]] Simplified keep_all(const ContourSet& contours);
 

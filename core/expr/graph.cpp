@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/check.h"
+#include "core/expr/elementary.h"
 
 namespace slipstick {
 namespace {
@@ -45,21 +46,21 @@ double apply_unary(Op op, double a) {
     case Op::kRound:
       return std::round(a);
     case Op::kSin:
-      return std::sin(a);
+      return sine(a);
     case Op::kCos:
-      return std::cos(a);
+      return cosine(a);
     case Op::kTan:
-      return std::tan(a);
+      return tangent(a);
     case Op::kAsin:
-      return std::asin(a);
+      return arc_sine(a);
     case Op::kAcos:
-      return std::acos(a);
+      return arc_cosine(a);
     case Op::kAtan:
-      return std::atan(a);
+      return arc_tangent(a);
     case Op::kExp:
-      return std::exp(a);
+      return exponential(a);
     case Op::kLn:
-      return std::log(a);
+      return natural_logarithm(a);
     default:
       return a == 0 ? 1 : 0;
   }
@@ -82,7 +83,7 @@ double apply(Op op, double a, double b) {
     case Op::kMax:
       return greater(a, b);
     case Op::kAtan2:
-      return std::atan2(a, b);
+      return arc_tangent(a, b);
     case Op::kCompare:
       return compare(a, b);
     case Op::kModulo:

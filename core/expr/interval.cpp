@@ -5,52 +5,57 @@
 #include <initializer_list>
 #include <numbers>
 
+#include "core/expr/elementary.h"
+
 namespace slipstick {
 namespace {
 
 using std::numbers::pi;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Basic operations and the square root are rounded correctly: one step covers the interval's own
-// rounding. glibc's elementary functions are good to about one unit in the last place; four steps
-// cover them.
-constexpr int kBasicSteps = 1;
-constexpr int kLibrarySteps = 4;
+// Basic operations and the square root are rounded correctly: one unit in the last place covers the
+// interval's own rounding.
+constexpr int kBasicUlps = 1;
+// An elementary function at a point may be too large and at the end of the interval too small, each
+// by its error; and a unit of the one may be two of the other.
+constexpr int kElementarySlack = 4 * kElementaryUlps;
 
-double down(double value, int steps) {
-  for (int i = 0; i < steps; ++i) value = std::nextafter(value, -kInfinity);
-  return value;
+double margin(double value, int ulps) {
+  return ulps * (std::abs(value) * 0x1p-52 + std::numeric_limits<double>::denorm_min());
 }
 
-double up(double value, int steps) {
-  for (int i = 0; i < steps; ++i) value = std::nextafter(value, kInfinity);
-  return value;
+double down(double value, int ulps) {
+  return std::isinf(value) ? std::nextafter(value, -kInfinity) : value - margin(value, ulps);
+}
+
+double up(double value, int ulps) {
+  return std::isinf(value) ? std::nextafter(value, kInfinity) : value + margin(value, ulps);
 }
 
 // Rounding never changes a sign, so neither does widening: without that, the root of a sum of
 // squares would be undefined wherever both may be 0.
-Interval widened(double low, double high, int steps) {
+Interval widened(double low, double high, int ulps) {
   if (std::isnan(low) || std::isnan(high)) return Interval::anything();
-  const double wider_low = down(low, steps), wider_high = up(high, steps);
+  const double wider_low = down(low, ulps), wider_high = up(high, ulps);
   return Interval::of(low >= 0 ? std::max(wider_low, 0.0) : wider_low,
                       high <= 0 ? std::min(wider_high, 0.0) : wider_high);
 }
 
-Interval around(std::initializer_list<double> corners, int steps) {
+Interval around(std::initializer_list<double> corners, int ulps) {
   double low = kInfinity, high = -kInfinity;
   for (const double c : corners) {
     if (std::isnan(c)) return Interval::anything();
     low = std::min(low, c);
     high = std::max(high, c);
   }
-  return widened(low, high, steps);
+  return widened(low, high, ulps);
 }
 
 Interval square(const Interval& a) {
   const double l = a.low * a.low, h = a.high * a.high;
-  if (a.low <= 0 && a.high >= 0) return Interval::of(0, up(std::max(l, h), kBasicSteps));
-  return Interval::of(std::max(0.0, down(std::min(l, h), kBasicSteps)),
-                      up(std::max(l, h), kBasicSteps));
+  if (a.low <= 0 && a.high >= 0) return Interval::of(0, up(std::max(l, h), kBasicUlps));
+  return Interval::of(std::max(0.0, down(std::min(l, h), kBasicUlps)),
+                      up(std::max(l, h), kBasicUlps));
 }
 
 Interval absolute(const Interval& a) {
@@ -61,7 +66,7 @@ Interval absolute(const Interval& a) {
 
 Interval quotient(const Interval& a, const Interval& b) {
   if (b.low <= 0 && b.high >= 0) return Interval::anything();
-  return around({a.low / b.low, a.low / b.high, a.high / b.low, a.high / b.high}, kBasicSteps);
+  return around({a.low / b.low, a.low / b.high, a.high / b.low, a.high / b.high}, kBasicUlps);
 }
 
 // Whether some peak + 2πk lies in the interval, with room for rounding: saying yes is always safe.
@@ -77,20 +82,20 @@ Interval wave(double (*f)(double), const Interval& a, double top) {
     if (std::isinf(a.low) || std::isinf(a.high)) return Interval::anything();
     return Interval::of(-1, 1);
   }
-  const Interval ends = around({f(a.low), f(a.high)}, kLibrarySteps);
+  const Interval ends = around({f(a.low), f(a.high)}, kElementarySlack);
   return Interval::of(holds_peak(a, top + pi) ? -1 : std::max(ends.low, -1.0),
                       holds_peak(a, top) ? 1 : std::min(ends.high, 1.0));
 }
 
-Interval tangent(const Interval& a) {
+Interval tangent_over(const Interval& a) {
   constexpr double kSafe = 1.5;  // inside the first branch
   if (a.low < -kSafe || a.high > kSafe) return Interval::anything();
-  return widened(std::tan(a.low), std::tan(a.high), kLibrarySteps);
+  return widened(tangent(a.low), tangent(a.high), kElementarySlack);
 }
 
 Interval rising(double (*f)(double), const Interval& a, double domain_low, double domain_high) {
   if (a.low < domain_low || a.high > domain_high) return Interval::anything();
-  return widened(f(a.low), f(a.high), kLibrarySteps);
+  return widened(f(a.low), f(a.high), kElementarySlack);
 }
 
 double down_to_whole(double a) {
@@ -103,9 +108,9 @@ double to_whole(double a) {
   return std::round(a);
 }
 
-Interval arc_cosine(const Interval& a) {
+Interval arc_cosine_over(const Interval& a) {
   if (a.low < -1 || a.high > 1) return Interval::anything();
-  return widened(std::acos(a.high), std::acos(a.low), kLibrarySteps);
+  return widened(arc_cosine(a.high), arc_cosine(a.low), kElementarySlack);
 }
 
 Interval unary(Op op, const Interval& a) {
@@ -125,21 +130,21 @@ Interval unary(Op op, const Interval& a) {
     case Op::kRound:
       return Interval::of(to_whole(a.low), to_whole(a.high));
     case Op::kSin:
-      return wave(std::sin, a, pi / 2);
+      return wave(sine, a, pi / 2);
     case Op::kCos:
-      return wave(std::cos, a, 0);
+      return wave(cosine, a, 0);
     case Op::kTan:
-      return tangent(a);
+      return tangent_over(a);
     case Op::kAsin:
-      return rising(std::asin, a, -1, 1);
+      return rising(arc_sine, a, -1, 1);
     case Op::kAcos:
-      return arc_cosine(a);
+      return arc_cosine_over(a);
     case Op::kAtan:
-      return rising(std::atan, a, -kInfinity, kInfinity);
+      return rising(arc_tangent, a, -kInfinity, kInfinity);
     case Op::kExp:
-      return rising(std::exp, a, -kInfinity, kInfinity);
+      return rising(exponential, a, -kInfinity, kInfinity);
     case Op::kLn:
-      return rising(std::log, a, 0, kInfinity);
+      return rising(natural_logarithm, a, 0, kInfinity);
     default:
       return Interval::of(0, 1);
   }
@@ -177,11 +182,11 @@ Interval apply(Op op, const Interval& a, const Interval& b) {
   if (may_cancel(op) && !(bounded(a) && bounded(b))) return Interval::anything();
   switch (op) {
     case Op::kAdd:
-      return widened(a.low + b.low, a.high + b.high, kBasicSteps);
+      return widened(a.low + b.low, a.high + b.high, kBasicUlps);
     case Op::kSubtract:
-      return widened(a.low - b.high, a.high - b.low, kBasicSteps);
+      return widened(a.low - b.high, a.high - b.low, kBasicUlps);
     case Op::kMultiply:
-      return around({a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high}, kBasicSteps);
+      return around({a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high}, kBasicUlps);
     case Op::kDivide:
       return quotient(a, b);
     case Op::kMin:
@@ -189,7 +194,7 @@ Interval apply(Op op, const Interval& a, const Interval& b) {
     case Op::kMax:
       return Interval::of(std::max(a.low, b.low), std::max(a.high, b.high));
     case Op::kAtan2:
-      return Interval::of(down(-pi, kLibrarySteps), up(pi, kLibrarySteps));
+      return Interval::of(down(-pi, kElementarySlack), up(pi, kElementarySlack));
     case Op::kCompare:
       return compare(a, b);
     case Op::kModulo:

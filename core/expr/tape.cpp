@@ -66,18 +66,8 @@ Tape TapeBuilder::finish(std::uint32_t root) {
 }
 
 Interval value_of(const Tape::Step& step, const Box3& box, const std::vector<Interval>& values) {
-  switch (step.op) {
-    case Op::kConstant:
-      return std::isnan(step.value) ? Interval::anything() : Interval::of(step.value, step.value);
-    case Op::kX:
-      return Interval::of(box.low.x, box.high.x);
-    case Op::kY:
-      return Interval::of(box.low.y, box.high.y);
-    case Op::kZ:
-      return Interval::of(box.low.z, box.high.z);
-    default:
-      return apply(step.op, values[step.a], values[is_binary(step.op) ? step.b : step.a]);
-  }
+  if (!is_unary(step.op) && !is_binary(step.op)) return leaf_range(step, box);
+  return apply(step.op, values[step.a], values[is_binary(step.op) ? step.b : step.a]);
 }
 
 // Which operand of a min or max wins everywhere, if one does. Equal bounds decide nothing: -0 and 0
@@ -153,6 +143,19 @@ Tape compiled(const Graph& graph, Graph::Id root, std::optional<double> z) {
 }
 
 }  // namespace
+
+Interval leaf_range(const Tape::Step& step, const Box3& box) {
+  switch (step.op) {
+    case Op::kX:
+      return Interval::of(box.low.x, box.high.x);
+    case Op::kY:
+      return Interval::of(box.low.y, box.high.y);
+    case Op::kZ:
+      return Interval::of(box.low.z, box.high.z);
+    default:
+      return std::isnan(step.value) ? Interval::anything() : Interval::of(step.value, step.value);
+  }
+}
 
 Tape compile(const Graph& graph, Graph::Id root) {
   return compiled(graph, root, {});

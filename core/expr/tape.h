@@ -22,6 +22,9 @@ struct Tape {
   std::vector<Step> steps;
 };
 
+/// The values of a constant or a coordinate over a box.
+[[nodiscard]] Interval leaf_range(const Tape::Step& step, const Box3& box);
+
 /// `root` in space.
 [[nodiscard]] Tape compile(const Graph& graph, Graph::Id root);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -37,6 +38,19 @@ class BitImage {
     const std::uint64_t bit = std::uint64_t{1} << (column % kBitsPerWord);
     std::uint64_t& word = words_[index(column, row)];
     word = inside ? word | bit : word & ~bit;
+  }
+
+  /// Sets a rectangle of nodes inside. \pre As for `set`, for each of them.
+  void fill(int column, int row, int columns, int rows);
+
+  /// Sets the nodes from `column` on inside where `bits` has a 1, lowest first; leaves the others.
+  /// \pre As for `set`, for each of them; all lie in one word of the row.
+  void set_bits(int column, int row, std::uint64_t bits) {
+    [[maybe_unused]] const int width = kBitsPerWord - std::countl_zero(bits);
+    SLIPSTICK_DCHECK(bits == 0 ||
+                     (column > 0 && row > 0 && row < rows() - 1 && column + width < columns() &&
+                      column % kBitsPerWord + width <= kBitsPerWord));
+    words_[index(column, row)] |= bits << (column % kBitsPerWord);
   }
 
   /// One row, 64 nodes a word, lowest bit first, zeros behind the last column.

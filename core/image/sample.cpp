@@ -55,13 +55,7 @@ class Sampler {
   [[nodiscard]] BitImage take() { return std::move(image_); }
 
  private:
-  void fill(const Tile& t) {
-    for (int row = t.row; row < t.row + t.rows; ++row) {
-      for (int column = t.column; column < t.column + t.columns; ++column) {
-        image_.set(column, row, true);
-      }
-    }
-  }
+  void fill(const Tile& t) { image_.fill(t.column, t.row, t.columns, t.rows); }
 
   void nodes(Section& section, const Tile& t) {
     const SliceGrid& grid = image_.grid();
@@ -90,18 +84,23 @@ class Sampler {
   std::vector<std::uint8_t> inside_;
 };
 
+tl::unexpected<Error> undefined_error(Vec2 p) {
+  return fail(ErrorCode::kInput,
+              fmt::format("f is not a number at x={:.4g} y={:.4g}; keep roots, logarithms and "
+                          "quotients away from where they are undefined",
+                          p.x, p.y));
+}
+
 }  // namespace
 
 Result<BitImage> sample(Section& section, const SliceGrid& grid) {
-  if (BitImage image(grid); section.paint(image)) return image;
+  if (BitImage image(grid); section.paint(image)) {
+    if (const auto p = section.undefined_at()) return undefined_error(*p);
+    return image;
+  }
   Sampler sampler(grid);
   sampler.split(section, {1, 1, grid.columns() - 2, grid.rows() - 2}, kTileSizeMax);
-  if (const auto& p = sampler.undefined()) {
-    return fail(ErrorCode::kInput,
-                fmt::format("f is not a number at x={:.4g} y={:.4g}; keep roots, logarithms and "
-                            "quotients away from where they are undefined",
-                            p->x, p->y));
-  }
+  if (const auto& p = sampler.undefined()) return undefined_error(*p);
   return sampler.take();
 }
 

@@ -14,6 +14,15 @@ class LayerStack {
   /// \return kInput if there would be more than `kLayersMax`.
   [[nodiscard]] static Result<LayerStack> over(double height, const SlicingSettings& settings);
 
+  /// The sampling distance of which layers are a whole number thick: all slices are then planes of
+  /// one cubic lattice and sections of one surface. `settings.sampling` or a little less; just that
+  /// where layers are thinner.
+  [[nodiscard]] static double aligned_sampling(const SlicingSettings& settings);
+
+  /// Whether all slicing planes are whole multiples of `width` apart, to one part in 100,000: the
+  /// quantum of lattice widths.
+  [[nodiscard]] bool aligned(double width) const;
+
   [[nodiscard]] int count() const { return count_; }
   /// Upper face of layer `i`, where the nozzle is.
   [[nodiscard]] double top(int i) const { return first_height_ + i * height_; }

@@ -48,7 +48,10 @@ struct MaterialSettings {
 enum class Placement : std::uint8_t { kRoots, kSliding, kProjection, kMidpoints };
 
 /// How contours get fewer edges.
-enum class Simplification : std::uint8_t { kVsa, kGreedy, kNone };
+enum class Simplification : std::uint8_t { kFewest, kVsa, kGreedy, kNone };
+
+/// What becomes of slices that cannot be proved right.
+enum class Certification : std::uint8_t { kStrict, kReport, kOff };
 
 /// How the solid becomes contours (paper, sections 3 to 5).
 struct SlicingSettings {
@@ -60,6 +63,7 @@ struct SlicingSettings {
   Placement place = Placement::kRoots;
   Simplification simplify = Simplification::kVsa;
   Ambiguity ambiguity = Ambiguity::kSolid;
+  Certification certify = Certification::kReport;
 };
 
 /// How contours become toolpaths.

@@ -4,8 +4,9 @@ namespace slipstick {
 namespace {
 
 constexpr std::string_view kPlacements[] = {"roots", "sliding", "projection", "midpoints"};
-constexpr std::string_view kSimplifications[] = {"vsa", "greedy", "none"};
+constexpr std::string_view kSimplifications[] = {"fewest", "vsa", "greedy", "none"};
 constexpr std::string_view kAmbiguities[] = {"solid", "void"};
+constexpr std::string_view kCertifications[] = {"strict", "report", "off"};
 
 constexpr Setting kRows[] = {
     {"layer_height", SettingGroup::kSlicing, "mm",
@@ -42,9 +43,8 @@ constexpr Setting kRows[] = {
          [](PrintSettings& s, std::size_t i) {
            s.slicing.simplify = static_cast<Simplification>(i);
          }},
-     "How contours get fewer edges. vsa is the paper's; greedy is quicker and takes each edge as "
-     "far as it "
-     "goes; none shows the contours as placed."},
+     "How contours get fewer edges. fewest finds the fewest that the tolerance allows; vsa is the "
+     "paper's; greedy takes each edge as far as it goes; none shows the contours as placed."},
     {"ambiguity", SettingGroup::kSlicing, "",
      ChoiceSetting{
          kAmbiguities,
@@ -52,6 +52,15 @@ constexpr Setting kRows[] = {
          [](PrintSettings& s, std::size_t i) { s.slicing.ambiguity = static_cast<Ambiguity>(i); }},
      "Whether samples that touch only across a square's diagonal hang together through the solid "
      "or through the void. solid keeps thin walls whole."},
+    {"certify", SettingGroup::kSlicing, "",
+     ChoiceSetting{
+         kCertifications,
+         [](const PrintSettings& s) { return static_cast<std::size_t>(s.slicing.certify); },
+         [](PrintSettings& s, std::size_t i) {
+           s.slicing.certify = static_cast<Certification>(i);
+         }},
+     "Whether slices are proved to have the topology of the solid, and nothing to hide between two "
+     "of them. strict ends the job where that fails, report counts, off saves the time."},
 };
 
 }  // namespace

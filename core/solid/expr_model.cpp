@@ -4,49 +4,110 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "core/base/check.h"
+#include "core/expr/block.h"
 #include "core/expr/extent.h"
 #include "core/expr/tape.h"
+#include "core/solid/expr_painter.h"
 
 namespace slipstick {
 namespace {
 
+// What a section and those narrowed from it share; all of them are used by one thread.
+struct Shared {
+  explicit Shared(const Tape& tape) : program(tape) {}
+
+  Program program;
+  BlockRegisters registers;
+  Specializer specializer;
+  std::vector<Choice> choices;
+  std::vector<Instruction> room;
+};
+
 class ExprSection final : public Section {
  public:
-  ExprSection(std::shared_ptr<const Tape> tape, double z) : tape_(std::move(tape)), z_(z) {}
+  explicit ExprSection(std::shared_ptr<Shared> shared)
+      : shared_(std::move(shared)), listing_(shared_->program.listing()) {}
+
+  // The same in a box, for fewer instructions.
+  ExprSection(std::shared_ptr<Shared> shared, const Listing& listing)
+      : shared_(std::move(shared)),
+        instructions_(listing.instructions.begin(), listing.instructions.end()),
+        listing_{instructions_, listing.result, listing.registers} {}
 
   void classify(std::span<const double> xs, std::span<const double> ys,
                 std::span<std::uint8_t> inside) override {
-    for (std::size_t first = 0; first < xs.size(); first += TapeEvaluator::kPointsMax) {
-      const std::size_t count = std::min(TapeEvaluator::kPointsMax, xs.size() - first);
-      const auto values =
-          evaluator_.evaluate(*tape_, xs.subspan(first, count), ys.subspan(first, count), z_);
-      for (std::size_t i = 0; i < count; ++i) {
-        inside[first + i] = values[i] <= 0 ? 1 : 0;
-        if (std::isnan(values[i]) && !undefined_) undefined_ = {xs[first + i], ys[first + i]};
-      }
-    }
+    in_blocks(xs, ys, [&](std::size_t at, double value) {
+      inside[at] = value <= 0 ? 1 : 0;
+      if (std::isnan(value) && !undefined_) undefined_ = {xs[at], ys[at]};
+    });
+  }
+
+  bool evaluate(std::span<const double> xs, std::span<const double> ys,
+                std::span<double> values) override {
+    in_blocks(xs, ys, [&](std::size_t at, double value) { values[at] = value; });
+    return true;
+  }
+
+  bool paint(BitImage& image) override {
+    SLIPSTICK_CHECK(instructions_.empty());  // a narrowed section knows one box only
+    ExprPainter painter(shared_->program, shared_->registers, image);
+    painter.paint();
+    undefined_ = painter.undefined_at();
+    return true;
   }
 
   [[nodiscard]] Narrowed narrowed(const Box2& box) override {
-    Pruned pruned = prune(*tape_, {{box.low.x, box.low.y, z_}, {box.high.x, box.high.y, z_}});
-    if (!pruned.range.may_be_nan) {
-      if (pruned.range.high <= 0) return {Cover::kInside, nullptr};
-      if (pruned.range.low > 0) return {Cover::kOutside, nullptr};
-    }
-    if (pruned.tape.steps.empty()) return {};
-    return {Cover::kMixed, std::make_unique<ExprSection>(
-                               std::make_shared<const Tape>(std::move(pruned.tape)), z_)};
+    Shared& s = *shared_;
+    const std::size_t length = listing_.instructions.size();
+    if (s.choices.size() < length) s.choices.resize(length), s.room.resize(length);
+    BoxBatch boxes;
+    boxes.x_low.fill(box.low.x), boxes.x_high.fill(box.high.x);
+    boxes.y_low.fill(box.low.y), boxes.y_high.fill(box.high.y);
+    const BoxVerdict verdict = bound(listing_, s.program, boxes, s.registers, s.choices);
+    if (verdict.at_most_zero != 0) return {Cover::kInside, nullptr};
+    if (verdict.above_zero != 0) return {Cover::kOutside, nullptr};
+    const Listing inner = s.specializer.specialize(listing_, s.choices, 0, Demand::kValue, s.room);
+    if (inner.instructions.size() == length || inner.instructions.empty()) return {};
+    return {Cover::kMixed, std::make_unique<ExprSection>(shared_, inner)};
   }
 
   [[nodiscard]] std::optional<Vec2> undefined_at() const override { return undefined_; }
 
  private:
-  std::shared_ptr<const Tape> tape_;
-  double z_;
+  template <typename F>
+  void in_blocks(std::span<const double> xs, std::span<const double> ys, F f) {
+    for (std::size_t first = 0; first < xs.size(); first += kBlockPoints) {
+      const std::size_t count = std::min(kBlockPoints, xs.size() - first);
+      const auto values = slipstick::evaluate(listing_, shared_->program, xs.subspan(first, count),
+                                              ys.subspan(first, count), shared_->registers);
+      for (std::size_t i = 0; i < count; ++i) f(first + i, values[i]);
+    }
+  }
+
+  std::shared_ptr<Shared> shared_;
+  std::vector<Instruction> instructions_;
+  Listing listing_;
   std::optional<Vec2> undefined_;
-  TapeEvaluator evaluator_;
+};
+
+class ExprField final : public Field {
+ public:
+  explicit ExprField(Tape tape) : tape_(std::move(tape)) {}
+
+  [[nodiscard]] GradientRange over(const Box3& box) override { return evaluator_.over(tape_, box); }
+  [[nodiscard]] std::unique_ptr<Field> narrowed(const Box3& box) override {
+    Pruned pruned = prune(tape_, box);
+    if (pruned.tape.steps.empty()) return nullptr;
+    return std::make_unique<ExprField>(std::move(pruned.tape));
+  }
+
+ private:
+  Tape tape_;
+  GradientEvaluator evaluator_;
 };
 
 class ExprSolid final : public Solid {
@@ -56,8 +117,10 @@ class ExprSolid final : public Solid {
 
   [[nodiscard]] Box3 bounds() const override { return bounds_; }
   [[nodiscard]] std::unique_ptr<Section> section(double z) const override {
-    return std::make_unique<ExprSection>(std::make_shared<const Tape>(compile_at(graph_, root_, z)),
-                                         z);
+    return std::make_unique<ExprSection>(std::make_shared<Shared>(compile_at(graph_, root_, z)));
+  }
+  [[nodiscard]] std::unique_ptr<Field> field() const override {
+    return std::make_unique<ExprField>(compile(graph_, root_));
   }
 
  private:

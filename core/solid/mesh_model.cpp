@@ -7,15 +7,15 @@
 
 #include "core/base/check.h"
 #include "core/solid/mesh_model_intervals.h"
-#include "core/solid/mesh_model_section.h"
 
 namespace slipstick {
 namespace {
 
 class MeshSolid final : public Solid {
  public:
-  MeshSolid(std::shared_ptr<const TriangleMesh> mesh, const Affine3& map, Closedness closedness)
-      : mesh_(std::move(mesh)), closedness_(closedness) {
+  MeshSolid(std::shared_ptr<const TriangleMesh> mesh, const Affine3& map, Closedness closedness,
+            Winding winding)
+      : mesh_(std::move(mesh)), closedness_(closedness), winding_(winding) {
     vertices_.reserve(mesh_->vertices.size());
     for (const Vec3 p : mesh_->vertices) {
       vertices_.push_back(map(p));
@@ -35,7 +35,7 @@ class MeshSolid final : public Solid {
   [[nodiscard]] std::unique_ptr<Section> section(double z) const override {
     std::vector<OutlineSegment> segments;
     by_z_.for_each_near(z, [&](std::uint32_t i) { add_cut(segments, mesh_->triangles[i], z); });
-    return std::make_unique<OutlineSection>(std::move(segments), closedness_);
+    return std::make_unique<OutlineSection>(std::move(segments), closedness_, winding_);
   }
 
  private:
@@ -53,8 +53,10 @@ class MeshSolid final : public Solid {
     const std::size_t lone = above[1] == above[2] ? 0 : above[0] == above[2] ? 1 : 2;
     const Vec2 a = cut(p[lone], p[(lone + 1) % 3], z);
     const Vec2 b = cut(p[lone], p[(lone + 2) % 3], z);
-    if (a.y < b.y) segments.push_back({a, b});
-    if (b.y < a.y) segments.push_back({b, a});
+    // Seen from outside, the cut runs from a to b if the lone vertex is above, else back.
+    const int turn = above[lone] ? 1 : -1;
+    if (a.y < b.y) segments.push_back({a, b, turn});
+    if (b.y < a.y) segments.push_back({b, a, -turn});
   }
 
   // Always computed upwards, so that all triangles at an edge get the very same point.
@@ -66,6 +68,7 @@ class MeshSolid final : public Solid {
 
   std::shared_ptr<const TriangleMesh> mesh_;
   Closedness closedness_;
+  Winding winding_;
   std::vector<Vec3> vertices_;
   Box3 bounds_;
   IntervalIndex by_z_;
@@ -87,11 +90,12 @@ std::vector<std::uint64_t> sorted_edges(const TriangleMesh& mesh) {
 
 }  // namespace
 
-MeshModel::MeshModel(TriangleMesh mesh)
-    : mesh_(std::make_shared<const TriangleMesh>(std::move(mesh))) {
-  for (const auto& triangle : mesh_->triangles) {
-    for (const std::uint32_t v : triangle) SLIPSTICK_CHECK(v < mesh_->vertices.size());
+MeshModel::MeshModel(TriangleMesh mesh, Winding winding) : winding_(winding) {
+  for (const auto& triangle : mesh.triangles) {
+    for (const std::uint32_t v : triangle) SLIPSTICK_CHECK(v < mesh.vertices.size());
   }
+  if (winding == Winding::kNonzero) orientation_ = orient(mesh);
+  mesh_ = std::make_shared<const TriangleMesh>(std::move(mesh));
   const std::vector<std::uint64_t> edges = sorted_edges(*mesh_);
   for (auto first = edges.begin(); first != edges.end();) {
     const auto end =
@@ -102,6 +106,10 @@ MeshModel::MeshModel(TriangleMesh mesh)
   }
 }
 
+bool MeshModel::closed() const {
+  return winding_ == Winding::kNonzero ? orientation_.unbalanced == 0 : open_edges_ == 0;
+}
+
 Box3 MeshModel::bounds_under(const Affine3& map) const {
   Box3 box;
   for (const Vec3 p : mesh_->vertices) box = box.with(map(p));
@@ -109,8 +117,8 @@ Box3 MeshModel::bounds_under(const Affine3& map) const {
 }
 
 std::shared_ptr<const Solid> MeshModel::placed(const Affine3& map) const {
-  const Closedness closedness = open_edges_ == 0 ? Closedness::kClosed : Closedness::kOpen;
-  return std::make_shared<MeshSolid>(mesh_, map, closedness);
+  const Closedness closedness = closed() ? Closedness::kClosed : Closedness::kOpen;
+  return std::make_shared<MeshSolid>(mesh_, map, closedness, winding_);
 }
 
 std::string MeshModel::size_text() const {
@@ -118,9 +126,19 @@ std::string MeshModel::size_text() const {
 }
 
 std::string MeshModel::warning() const {
-  if (open_edges_ == 0) return {};
-  return fmt::format("not closed: {} boundary edges, parity may leak; repair the mesh",
-                     open_edges_);
+  if (!closed()) {
+    const std::int64_t edges = open_edges_ > 0 ? open_edges_ : orientation_.unbalanced;
+    return fmt::format("not closed: {} boundary edges, the inside may leak; repair the mesh",
+                       edges);
+  }
+  if (orientation_.turned > 0) {
+    return fmt::format("{} faces were inside out and have been turned", orientation_.turned);
+  }
+  if (winding_ == Winding::kNonzero && non_manifold_edges_ > 0) {
+    return fmt::format("{} edges have more than two faces; overlaps count as solid",
+                       non_manifold_edges_);
+  }
+  return {};
 }
 
 Result<std::unique_ptr<MeshModel>> load_mesh_model(std::string_view bytes, std::string_view name) {

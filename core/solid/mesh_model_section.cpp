@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/check.h"
+#include "core/image/bit_image.h"
 
 namespace slipstick {
 namespace {
@@ -24,8 +25,9 @@ double crossing_x(const OutlineSegment& s, double y) {
 
 }  // namespace
 
-OutlineSection::OutlineSection(std::vector<OutlineSegment> segments, Closedness closedness)
-    : segments_(std::move(segments)), closedness_(closedness) {}
+OutlineSection::OutlineSection(std::vector<OutlineSegment> segments, Closedness closedness,
+                               Winding winding)
+    : segments_(std::move(segments)), closedness_(closedness), winding_(winding) {}
 
 void OutlineSection::classify(std::span<const double> xs, std::span<const double> ys,
                               std::span<std::uint8_t> inside) {
@@ -51,7 +53,32 @@ Section::Narrowed OutlineSection::narrowed(const Box2& box) {
   if (!touched && closedness_ == Closedness::kClosed) {
     return {contains(box.low) ? Cover::kInside : Cover::kOutside, nullptr};
   }
-  return {Cover::kMixed, std::make_unique<OutlineSection>(std::move(kept), closedness_)};
+  return {Cover::kMixed, std::make_unique<OutlineSection>(std::move(kept), closedness_, winding_)};
+}
+
+bool OutlineSection::paint(BitImage& image) {
+  const SliceGrid& grid = image.grid();
+  const int last = image.columns() - 1;  // Of the ring, which stays empty.
+  // The first column at or to the right of x.
+  const auto column_at = [&](double x) {
+    int low = 1, high = last;
+    while (low < high) {
+      const int middle = low + (high - low) / 2;
+      if (grid.node_x(middle) >= x)
+        high = middle;
+      else
+        low = middle + 1;
+    }
+    return low;
+  };
+  for (int row = 1; row < image.rows() - 1; ++row) {
+    find_row(grid.node_y(row));
+    for (std::size_t i = 0; i < row_.size(); i += 2) {
+      const int end = i + 1 < row_.size() ? column_at(row_[i + 1]) : last;
+      for (int column = column_at(row_[i]); column < end; ++column) image.set(column, row, true);
+    }
+  }
+  return true;
 }
 
 std::size_t OutlineSection::crossings(double y) {
@@ -68,9 +95,9 @@ bool OutlineSection::contains(Vec2 p) {
 void OutlineSection::find_row(double y) {
   if (row_y_ == y) return;
   row_y_ = y;
-  row_.clear();
+  crossings_.clear();
   const auto add = [&](const OutlineSegment& s) {
-    if (crosses(s, y)) row_.push_back(crossing_x(s, y));
+    if (crosses(s, y)) crossings_.push_back({crossing_x(s, y), s.turn});
   };
   if (segments_.size() < kIndexedMin) {
     for (const OutlineSegment& s : segments_) add(s);
@@ -84,7 +111,23 @@ void OutlineSection::find_row(double y) {
     }
     by_y_.for_each_near(y, [&](std::uint32_t i) { add(segments_[i]); });
   }
-  std::sort(row_.begin(), row_.end());
+  find_changes();
+}
+
+// Crossings at one place count together, so that shells that touch have no void between them.
+void OutlineSection::find_changes() {
+  std::sort(crossings_.begin(), crossings_.end(),
+            [](const Crossing& a, const Crossing& b) { return a.x < b.x; });
+  row_.clear();
+  int sum = 0;
+  bool inside = false;
+  for (std::size_t i = 0; i < crossings_.size(); ++i) {
+    sum += winding_ == Winding::kNonzero ? crossings_[i].turn : 1;
+    if (i + 1 < crossings_.size() && crossings_[i + 1].x == crossings_[i].x) continue;
+    const bool now = winding_ == Winding::kNonzero ? sum != 0 : sum % 2 != 0;
+    if (now != inside) row_.push_back(crossings_[i].x);
+    inside = now;
+  }
 }
 
 }  // namespace slipstick

@@ -12,35 +12,50 @@ namespace slipstick {
 struct OutlineSegment {
   Vec2 low;
   Vec2 high;
+  int turn = 1;  ///< 1 where the outline runs upwards, -1 where it runs downwards.
 };
 
 /// Whether every row crosses the outline an even number of times.
 enum class Closedness : std::uint8_t { kOpen, kClosed };
 
-/// The inside of an outline by parity: a point is inside if an odd number of crossings of the
-/// outline with the point's row lies at or to the left of it. A segment crosses the rows low.y <= y
-/// < high.y.
+/// Which crossings make a point inside: those at or to the left of it in its row.
+enum class Winding : std::uint8_t {
+  kNonzero,  ///< Where their turns do not add up to 0: overlapping shells are one solid.
+  kParity,   ///< Where their number is odd: overlaps are void, orientation does not matter.
+};
+
+/// The inside of an outline. A segment crosses the rows low.y <= y < high.y.
 class OutlineSection final : public Section {
  public:
-  OutlineSection(std::vector<OutlineSegment> segments, Closedness closedness);
+  OutlineSection(std::vector<OutlineSegment> segments, Closedness closedness, Winding winding);
 
   void classify(std::span<const double> xs, std::span<const double> ys,
                 std::span<std::uint8_t> inside) override;
   [[nodiscard]] Narrowed narrowed(const Box2& box) override;
+  /// Fills the runs between changes.
+  bool paint(BitImage& image) override;
 
-  /// How often the row at `y` crosses the outline.
+  /// How often the row at `y` changes between outside and inside.
   [[nodiscard]] std::size_t crossings(double y);
 
  private:
+  struct Crossing {
+    double x;
+    int turn;
+  };
+
+  void find_changes();
   void find_row(double y);
   [[nodiscard]] bool contains(Vec2 p);
 
   std::vector<OutlineSegment> segments_;
   Closedness closedness_;
+  Winding winding_;
   IntervalIndex by_y_;
   bool indexed_ = false;
-  // The row asked last, and where it crosses the outline, in order.
+  // The row asked last, its crossings, and where it goes in or out, in order.
   std::optional<double> row_y_;
+  std::vector<Crossing> crossings_;
   std::vector<double> row_;
 };
 

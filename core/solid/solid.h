@@ -10,6 +10,7 @@
 #include "core/base/affine.h"
 #include "core/base/box.h"
 #include "core/base/vec.h"
+#include "core/solid/field.h"
 
 namespace slipstick {
 
@@ -59,7 +60,8 @@ class Section {
   /// The bits are those `classify` gives.
   virtual bool paint(BitImage& /*image*/) { return false; }
 
-  /// A point at which f was NaN, if `classify` met one, of this section or of one narrowed from it.
+  /// A point at which f was NaN, if `classify` or `paint` met one, of this section or of one
+  /// narrowed from it.
   [[nodiscard]] virtual std::optional<Vec2> undefined_at() const { return {}; }
 };
 
@@ -82,6 +84,9 @@ class Solid {
   [[nodiscard]] virtual Box3 bounds() const = 0;
 
   [[nodiscard]] virtual std::unique_ptr<Section> section(double z) const = 0;
+
+  /// f and its gradient over boxes; null for solids that have none.
+  [[nodiscard]] virtual std::unique_ptr<Field> field() const { return nullptr; }
 };
 
 /// A solid as it was loaded, in its own frame and units, to be placed on the bed.

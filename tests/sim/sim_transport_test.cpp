@@ -46,7 +46,7 @@ TEST_CASE("An unknown option or value is refused with what there is") {
                                                                       {"corrupt", "2"},
                                                                       {"seed", "-1"},
                                                                       {"realtime", "yes"},
-                                                                      {"firmware", "klipper"}}) {
+                                                                      {"firmware", "marlin"}}) {
     const auto options = sim_options({{name, value}});
     INFO(name << "=" << value);
     REQUIRE_FALSE(options);

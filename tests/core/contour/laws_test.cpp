@@ -48,10 +48,14 @@ void place(ContourSet& contours, Rng& rng) {
 Simplified simplify(const ContourSet& contours, Rng& rng) {
   const SimplifyOptions options{rng.unit() < 0.5 ? 1.0 : rng.unit() * 0.1,
                                 static_cast<int>(1 + rng.below(15))};
-  switch (rng.below(4)) {
+  switch (rng.below(6)) {
     case 0:
       return keep_all(contours);
     case 1:
+    case 2:
+    case 3:
+      return simplify_fewest(contours, options);
+    case 4:
       return simplify_greedy(contours, options);
     default:
       return simplify_vsa(contours, options);

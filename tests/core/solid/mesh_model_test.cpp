@@ -213,7 +213,7 @@ TEST_CASE("Boundary edges are counted and reported") {
   CHECK(MeshModel(open).open_edges() == 3);
   CHECK(MeshModel(open).non_manifold_edges() == 0);
   CHECK(MeshModel(open).warning() ==
-        "not closed: 3 boundary edges, parity may leak; repair the mesh");
+        "not closed: 3 boundary edges, the inside may leak; repair the mesh");
   CHECK(MeshModel(winged).open_edges() == 3);
   CHECK(MeshModel(winged).non_manifold_edges() == 1);
 }
@@ -226,6 +226,42 @@ TEST_CASE("Bounds of a mesh are those of its vertices in any pose") {
   CHECK(model.placed(map)->bounds() == model.bounds_under(map));
   CHECK(model.kind() == "mesh");
   CHECK(model.size_text() == "4 triangles");
+}
+
+TEST_CASE("Copies of faces and faces turned round leave the solid as it was, with a warning") {
+  const TriangleMesh mesh = sphere_mesh(3, 4);
+  TriangleMesh doubled = mesh, flipped = mesh;
+  doubled.triangles.insert(doubled.triangles.end(), mesh.triangles.begin(), mesh.triangles.end());
+  std::swap(flipped.triangles[77][0], flipped.triangles[77][1]);
+  const auto solid = MeshModel(mesh).placed(tilted());
+  const SliceGrid grid = grid_of(*solid, 0.05);
+
+  for (const MeshModel& model : {MeshModel(doubled), MeshModel(flipped)}) {
+    CHECK_FALSE(model.warning().empty());
+    for (const double z : {-3.1, 0.0, 2.7}) {
+      const auto section = model.placed(tilted())->section(z);
+      CHECK(*sample(*section, grid) == sampled_one_by_one(*solid, z, grid));
+    }
+  }
+  CHECK(MeshModel(flipped).turned() == 1);
+}
+
+TEST_CASE("Overlapping shells are one solid by winding and void where they overlap by parity") {
+  TriangleMesh mesh = box_mesh({2, 2, 2});
+  for (const Vec3 p : box_mesh({2, 2, 2}).vertices) mesh.vertices.push_back(p + Vec3{1, 1, 0});
+  for (auto [a, b, c] : box_mesh({2, 2, 2}).triangles) {
+    mesh.triangles.push_back({a + 8, b + 8, c + 8});
+  }
+  const auto nonzero = MeshModel(mesh).placed({})->section(1);
+  const auto parity = MeshModel(mesh, Winding::kParity).placed({})->section(1);
+
+  for (const Vec2 p : {Vec2{0.5, 0.5}, Vec2{2.5, 2.5}}) {
+    CHECK(inside(*nonzero, p));
+    CHECK(inside(*parity, p));
+  }
+  CHECK(inside(*nonzero, {1.5, 1.5}));
+  CHECK_FALSE(inside(*parity, {1.5, 1.5}));
+  CHECK_FALSE(inside(*nonzero, {2.5, 0.5}));
 }
 
 TEST_CASE("A flat mesh has no inside") {

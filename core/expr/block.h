@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/expr/block_kernels.h"
+
+namespace slipstick {
+
+/// Registers for blocks of points or boxes; keeps its memory from call to call. For one thread.
+class BlockRegisters {
+ public:
+  /// \pre `size` is a multiple of 8.
+  [[nodiscard]] double* prepare(std::size_t registers, std::size_t size);
+
+ private:
+  struct alignas(64) Line {
+    std::array<double, 8> lanes;
+  };
+  std::vector<Line> lines_;
+};
+
+/// Points that are evaluated together.
+inline constexpr std::size_t kBlockPoints = 256;
+
+/// Boxes in the plane that are bounded together.
+struct BoxBatch {
+  std::array<double, kBoxesMax> x_low{}, x_high{}, y_low{}, y_high{};
+};
+
+/// What is known of f in each of the boxes, a bit a box; where f may be NaN, nothing.
+struct BoxVerdict {
+  std::uint16_t at_most_zero = 0;
+  std::uint16_t above_zero = 0;
+};
+
+/// f at the points. \pre As many xs as ys, at most `kBlockPoints`.
+/// \return As many values, good until the registers are used again.
+[[nodiscard]] std::span<const double> evaluate(const Listing& listing, const Program& program,
+                                               std::span<const double> xs,
+                                               std::span<const double> ys,
+                                               BlockRegisters& registers);
+
+/// \param choices One for each instruction, filled for `Specializer`.
+[[nodiscard]] BoxVerdict bound(const Listing& listing, const Program& program,
+                               const BoxBatch& boxes, BlockRegisters& registers,
+                               std::span<Choice> choices);
+
+}  // namespace slipstick

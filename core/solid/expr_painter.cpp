@@ -1,0 +1,129 @@
+#include "core/solid/expr_painter.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace slipstick {
+namespace {
+
+constexpr int kLeaf = 16;   // nodes a side of a tile that is evaluated node by node
+constexpr int kFanout = 4;  // tiles a side within a larger one
+static_assert(std::size_t{kLeaf} * kLeaf == kBlockPoints && 64 % kLeaf == 0);
+
+// More tiles than this at the top, and one more level costs less.
+constexpr int kTopTilesMax = 32;
+
+int tiles_across(int nodes, int size) {
+  return (nodes + size - 1) / size;
+}
+
+}  // namespace
+
+ExprPainter::ExprPainter(const Program& program, BlockRegisters& registers, BitImage& image)
+    : program_(program), registers_(registers), image_(image) {}
+
+void ExprPainter::paint() {
+  int size = kLeaf;
+  std::size_t depth = 1;
+  while (tiles_across(image_.columns(), size) * tiles_across(image_.rows(), size) > kTopTilesMax) {
+    size *= kFanout;
+    ++depth;
+  }
+  const std::size_t length = program_.listing().instructions.size();
+  levels_.resize(depth);
+  for (Level& level : levels_) {
+    level.choices.resize(length);
+    level.room.resize(length);
+  }
+  split(program_.listing(), {1, 1, image_.columns() - 1, image_.rows() - 1}, size, 0);
+}
+
+void ExprPainter::split(const Listing& listing, const Tile& tile, int size, std::size_t depth) {
+  std::size_t count = 0;
+  // Tiles begin at whole multiples of their size, so that bits stay within words.
+  for (int row = tile.row_low / size * size; row < tile.row_high; row += size) {
+    for (int column = tile.column_low / size * size; column < tile.column_high; column += size) {
+      levels_[depth].tiles[count++] = {
+          std::max(column, tile.column_low), std::max(row, tile.row_low),
+          std::min(column + size, tile.column_high), std::min(row + size, tile.row_high)};
+      if (count == kBoxesMax) {
+        batch(listing, size, depth, count);
+        count = 0;
+      }
+    }
+  }
+  if (count != 0) batch(listing, size, depth, count);
+}
+
+BoxBatch ExprPainter::boxes(const Level& level, std::size_t count) const {
+  const SliceGrid& grid = image_.grid();
+  BoxBatch result;
+  for (std::size_t i = 0; i < kBoxesMax; ++i) {
+    const Tile& tile = level.tiles[std::min(i, count - 1)];
+    result.x_low[i] = grid.node_x(tile.column_low);
+    result.x_high[i] = grid.node_x(tile.column_high - 1);
+    result.y_low[i] = grid.node_y(tile.row_low);
+    result.y_high[i] = grid.node_y(tile.row_high - 1);
+  }
+  return result;
+}
+
+void ExprPainter::batch(const Listing& listing, int size, std::size_t depth, std::size_t count) {
+  Level& level = levels_[depth];
+  const BoxVerdict verdict =
+      bound(listing, program_, boxes(level, count), registers_, level.choices);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Tile tile = level.tiles[i];
+    if ((verdict.above_zero >> i & 1) != 0) continue;
+    if ((verdict.at_most_zero >> i & 1) != 0) {
+      image_.fill(tile.column_low, tile.row_low, tile.column_high - tile.column_low,
+                  tile.row_high - tile.row_low);
+      continue;
+    }
+    const Listing inner =
+        specializer_.specialize(listing, level.choices, i, Demand::kSign, level.room);
+    if (size == kLeaf) {
+      nodes(inner, tile);
+    } else {
+      split(inner, tile, size / kFanout, depth + 1);
+    }
+  }
+}
+
+void ExprPainter::nodes(const Listing& listing, const Tile& tile) {
+  const SliceGrid& grid = image_.grid();
+  double* const values = registers_.prepare(listing.registers, kBlockPoints);
+  const int first_column = tile.column_low / kLeaf * kLeaf;
+  const int first_row = tile.row_low / kLeaf * kLeaf;
+  for (int i = 0; i < kLeaf; ++i) values[i] = grid.node_x(first_column + i);
+  for (int row = 1; row < kLeaf; ++row)
+    std::copy_n(values, kLeaf, values + std::ptrdiff_t{row} * kLeaf);
+  for (int row = 0; row < kLeaf; ++row) {
+    std::fill_n(values + kBlockPoints + std::ptrdiff_t{row} * kLeaf, kLeaf,
+                grid.node_y(first_row + row));
+  }
+  run_points({listing.instructions, program_.constants().data(), values, kBlockPoints});
+  std::array<std::uint64_t, kBlockPoints / 64> inside{}, undefined{};
+  const SignRun signs{values + listing.result * kBlockPoints, kBlockPoints, inside.data(),
+                      undefined.data()};
+  run_signs(signs);
+  write(tile, signs);
+}
+
+void ExprPainter::write(const Tile& tile, const SignRun& signs) {
+  const int across = tile.column_high - tile.column_low;
+  for (int row = tile.row_low; row < tile.row_high; ++row) {
+    const int first = row % kLeaf * kLeaf + tile.column_low % kLeaf;
+    const auto bits_in = [&](const std::uint64_t* words) {
+      return words[first / 64] >> (first % 64) & ((std::uint64_t{1} << across) - 1);
+    };
+    image_.set_bits(tile.column_low, row, bits_in(signs.at_most_zero));
+    const std::uint64_t undefined = bits_in(signs.undefined);
+    if (undefined != 0 && !undefined_) {
+      const int column = tile.column_low + std::countr_zero(undefined);
+      undefined_ = {image_.grid().node_x(column), image_.grid().node_y(row)};
+    }
+  }
+}
+
+}  // namespace slipstick

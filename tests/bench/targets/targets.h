@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "tests/bench/targets/table.h"
+
+namespace slipstick::targets {
+
+/// \file
+/// The rows, by what they measure. Each measures itself; order does not matter, but memory comes
+/// first, since it reads the peak of the process.
+
+[[nodiscard]] std::vector<Row> memory_rows();
+[[nodiscard]] std::vector<Row> layer_rows();
+[[nodiscard]] std::vector<Row> image_rows();
+[[nodiscard]] std::vector<Row> scaling_rows();
+[[nodiscard]] std::vector<Row> edge_rows();
+[[nodiscard]] std::vector<Row> error_rows();
+
+}  // namespace slipstick::targets
