@@ -19,7 +19,6 @@ constexpr Moment kEmergencyInterval = std::chrono::milliseconds(250);
 }  // namespace
 
 Sender::Sender(SenderOptions options) : options_(options) {
-  SLIPSTICK_CHECK(options.first_number >= 0);
   SLIPSTICK_CHECK(options.report_seconds >= 1 && options.report_seconds <= 60);
 }
 

@@ -20,9 +20,6 @@ struct SenderOptions {
   Moment banner_wait = std::chrono::milliseconds(2500);
   /// Seconds between temperature reports, 1 to 60.
   int report_seconds = 2;
-  /// The number of the M110. From 10,000 on, damage that makes a G, M or T of the N gives no
-  /// command that any firmware has: N28 could become G28, N112 a kill.
-  LineNumber first_number = 10'000;
 };
 
 /// Takes the lines of a job to a Marlin: each executed exactly once, in order, over a wire that
@@ -90,11 +87,6 @@ class Sender {
     std::optional<LineNumber> requested;  ///< By a Resend.
     std::optional<LineNumber> last_line;  ///< By an Error.
     bool refused = false;                 ///< Any of the two came, readable or not.
-    bool mismatch = false;  ///< By a whole "checksum mismatch": nothing of the line was executed.
-    int oks = 0;            ///< Since the refusal,
-    int unknown = 0;        ///< of which answer an unknown command,
-    bool garbled = false;   ///< and with something unreadable among them.
-    Moment busy_at{};       ///< The last `busy` since.
   };
 
   // sender.cpp: time.
@@ -142,9 +134,6 @@ class Sender {
   void finish_drain(Moment now);
   [[nodiscard]] bool can_be_next(std::optional<LineNumber> number) const;
   void rewind(LineNumber number);
-  // sender_ghosts.cpp: a refused line whose tail was obeyed.
-  [[nodiscard]] bool may_be_ghost(const Drain& seen) const;
-  [[nodiscard]] bool settle_ghost(const Drain& seen, LineNumber number);
   void on_odd_request(std::optional<LineNumber> number, Moment now);
   void on_silence(Moment now);
   void probe(Moment now);
@@ -177,7 +166,6 @@ class Sender {
   SentLines lines_;
   LineNumber cursor_ = 0;     ///< The number to send next.
   LineNumber accepted_ = -1;  ///< Believed to be the last the printer took.
-  LineNumber first_ = 0;      ///< The number of the M110.
   LineNumber sure_ = -1;  ///< Known to be taken; a request for it or less is nonsense or a reset.
   LineNumber last_clean_ = -2;  ///< The last that was acknowledged with nothing odd around it.
   std::optional<LineNumber> outstanding_;

@@ -34,15 +34,14 @@ void Sender::listen_to_banner(Moment now) {
 void Sender::say_hello(Moment now) {
   listening_until_.reset();
   booting_ = false;
-  first_ = options_.first_number;
-  lines_ = SentLines(first_);
-  cursor_ = first_;
-  accepted_ = sure_ = first_ - 1;
+  lines_ = SentLines();
+  cursor_ = 0;
+  accepted_ = sure_ = -1;
   last_clean_ = -2;
   probes_ = rewinds_ = odd_requests_ = 0;
   name_requests_ = 0;
   reports_asked_ = false;
-  lines_.bind("M110 N" + std::to_string(first_), LineOwner::kSender);
+  lines_.bind("M110 N0", LineOwner::kSender);
   output_ += "\n";  // Ends whatever half a line stands in the printer's buffer.
   transmit(now);
 }
@@ -56,7 +55,7 @@ void Sender::greet_again(Moment now) {
 }
 
 bool Sender::bind_greeting(Moment now) {
-  if (lines_.highest() >= first_ + kGreetingLines) {
+  if (lines_.highest() >= kGreetingLines) {
     greet_again(now);
     return false;
   }
@@ -66,7 +65,7 @@ bool Sender::bind_greeting(Moment now) {
   } else if (reports_ && !reports_asked_) {
     reports_asked_ = true;
     lines_.bind("M155 S" + std::to_string(options_.report_seconds), LineOwner::kSender);
-  } else if (sure_ < first_ + 1) {
+  } else if (sure_ < 1) {
     // Once line 1 is surely taken, a request for it can only mean that the board was reset.
     lines_.bind("M105", LineOwner::kSender);
   } else {

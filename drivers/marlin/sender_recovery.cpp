@@ -15,8 +15,6 @@ namespace {
 /// Several round trips at 115200 baud, and the interval of a USB adapter's latency timer.
 constexpr Moment kQuiet = std::chrono::milliseconds(60);
 constexpr Moment kMaxDrain = std::chrono::seconds(1);
-/// A command that runs has said `ok`, or `busy` as it does every 2 s.
-constexpr Moment kGhostWait = std::chrono::milliseconds(2500);
 
 }  // namespace
 
@@ -25,7 +23,6 @@ void Sender::start_drain(Moment now) {
 }
 
 Moment Sender::drain_end() const {
-  if (may_be_ghost(*drain_)) return std::max(drain_->began, drain_->busy_at) + kGhostWait;
   return std::min(std::max(drain_->began, last_heard_) + kQuiet, drain_->began + kMaxDrain);
 }
 
@@ -51,7 +48,7 @@ void Sender::finish_drain(Moment now) {
     rewinds_ = 0;
   }
   odd_requests_ = 0;
-  if (settle_ghost(seen, next)) rewind(next);
+  rewind(next);
 }
 
 bool Sender::can_be_next(std::optional<LineNumber> number) const {

@@ -14,19 +14,14 @@ std::size_t slot(LineNumber number) {
 }  // namespace
 
 LineNumber SentLines::bind(std::string text, LineOwner owner) {
-  const std::uint64_t before = highest_ < first_ ? 0 : ring_[slot(highest_)].job_lines;
+  const std::uint64_t before = highest_ < 0 ? 0 : ring_[slot(highest_)].job_lines;
   ++highest_;
   ring_[slot(highest_)] = {std::move(text), before + (owner == LineOwner::kJob ? 1U : 0U)};
   return highest_;
 }
 
-void SentLines::settle(LineNumber number) {
-  SLIPSTICK_CHECK(has(number));
-  ring_[slot(number)].text = "M105";
-}
-
 bool SentLines::has(LineNumber number) const {
-  return number >= first_ && number <= highest_ && highest_ - number < LineNumber{kCapacity};
+  return number >= 0 && number <= highest_ && highest_ - number < LineNumber{kCapacity};
 }
 
 const SentLines::Entry& SentLines::at(LineNumber number) const {

@@ -25,17 +25,10 @@ class SentLines {
     std::uint64_t job_lines = 0;  ///< How many of the lines up to this one belong to the job.
   };
 
-  /// \param first the number that the first line gets, at least 0.
-  explicit SentLines(LineNumber first = 0) : first_(first), highest_(first - 1) {}
-
-  /// Gives `text` the next number, which is returned.
+  /// Gives `text` the next number, which is 0 after construction and returned.
   LineNumber bind(std::string text, LineOwner owner);
 
-  /// Line `number` was executed without its number: what is sent under it again is a question that
-  /// changes nothing. \pre has(number), and nothing is under way any more.
-  void settle(LineNumber number);
-
-  /// The greatest number bound; one less than the first before that.
+  /// The greatest number bound, -1 before the first.
   [[nodiscard]] LineNumber highest() const { return highest_; }
 
   /// Whether line `number` is still kept.
@@ -46,8 +39,7 @@ class SentLines {
 
  private:
   std::array<Entry, kCapacity> ring_;
-  LineNumber first_;
-  LineNumber highest_;
+  LineNumber highest_ = -1;
 };
 
 }  // namespace slipstick

@@ -16,8 +16,7 @@
 namespace slipstick {
 
 /// What a model does with a damaged line that Marlin's checksum, or the lack of one, lets through.
-/// A ghost is the tail of a line that a newline cut off: without a number nothing is checked.
-enum class Undetected : std::uint8_t { kRefuse, kObeyGhosts, kObey };
+enum class Undetected : std::uint8_t { kRefuse, kObey };
 
 struct MarlinModelOptions {
   /// Marlin 2.1.2 and later drop the last two numbers without a word.
@@ -130,7 +129,7 @@ class MarlinModel {
     if (!sum_fits(line, star)) return refuse("checksum mismatch", now);
     if (!passes) {
       ++undetected_;
-      if (options_.undetected != Undetected::kObey) return refuse("checksum mismatch", now);
+      if (options_.undetected == Undetected::kRefuse) return refuse("checksum mismatch", now);
     }
     last_line_ = number;
     std::string_view text = line.substr(0, star);
@@ -151,7 +150,7 @@ class MarlinModel {
                          line[1] >= '0' && line[1] <= '9';
     if (command) {
       ++undetected_;
-      if (options_.undetected != Undetected::kRefuse) {
+      if (options_.undetected == Undetected::kObey) {
         const std::string_view text = line.substr(0, line.find('*'));
         executed_.emplace_back(text);
         return execute(text, now);
@@ -173,10 +172,9 @@ class MarlinModel {
   void execute(std::string_view text, Moment now) {
     if (text == "M105") return say(now, "ok T:201.50 /200.00 B:60.01 /60.00 @:64 B@:12\n");
     if (text == "M115") {
-      say(now, std::string("FIRMWARE_NAME:Marlin ") +
-                   (options_.ok_after_resend ? "2.1.2" : "2.0.8") +
-                   " (Nov 22 2026) SOURCE_CODE_URL:x MACHINE_TYPE:Model\n"
-                   "Cap:AUTOREPORT_TEMP:1\nCap:EMERGENCY_PARSER:0\n");
+      say(now,
+          "FIRMWARE_NAME:Marlin 2.1.2 (Nov 22 2026) SOURCE_CODE_URL:x MACHINE_TYPE:Model\n"
+          "Cap:AUTOREPORT_TEMP:1\nCap:EMERGENCY_PARSER:0\n");
     }
     if (text.starts_with("M155 S")) {
       report_interval_ = std::chrono::seconds(2);

@@ -49,8 +49,7 @@ class Talk {
     says("ok");
   }
 
-  /// Numbers from 0, so that they can be read.
-  Sender sender{{.first_number = 0}};
+  Sender sender;
   Moment now{};
 };
 
