@@ -1,47 +1,48 @@
 #pragma once
 
 #include <condition_variable>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 
+#include "core/base/result.h"
 #include "core/image/bit_image.h"
-#include "core/job/layers.h"
-#include "core/solid/solid.h"
 
 namespace slipstick {
 
-/// The bit images of the layers being worked on: each is sampled once, by whoever needs it first,
-/// and shared by the layers whose skins depend on it.
+/// The bit images of the layers being worked on: each is made once, by whoever needs it first, and
+/// shared by all that depends on it.
 ///
 /// Threads: any thread may call anything at any time.
 class ImageWindow {
  public:
   using Image = std::shared_ptr<const BitImage>;
+  using Make = std::function<Result<Image>(int layer)>;
 
-  ImageWindow(std::shared_ptr<const Solid> solid, const SliceGrid& grid, const LayerStack& stack)
-      : solid_(std::move(solid)), grid_(grid), stack_(stack) {}
+  /// Images of the layers `first` <= layer < `end`, made by `make`, which any thread may call.
+  ImageWindow(const SliceGrid& grid, int first, int end, Make make)
+      : nothing_(std::make_shared<const BitImage>(grid)),
+        first_(first),
+        end_(end),
+        make_(std::move(make)) {}
 
-  /// The image of `layer`; above and below the stack it is empty.
+  /// The image of `layer`; above and below those there are it is empty.
   [[nodiscard]] Result<Image> image(int layer);
 
   /// Drops what is below `layer`. The caller promises that nobody asks for it again.
   void forget_below(int layer);
 
-  /// Seconds spent sampling so far, summed over threads.
-  [[nodiscard]] double sampling_seconds() const;
-
  private:
-  [[nodiscard]] Result<Image> sampled(int layer);
+  const Image nothing_;
+  const int first_;
+  const int end_;
+  const Make make_;
 
-  const std::shared_ptr<const Solid> solid_;
-  const SliceGrid grid_;
-  const LayerStack stack_;
-
-  mutable std::mutex mutex_;  // protects everything below; never held while sampling
+  std::mutex mutex_;  // protects everything below; never held while making
   std::condition_variable ready_;
-  std::map<int, std::optional<Result<Image>>> images_;  // nothing: being sampled
-  double sampling_seconds_ = 0;
+  std::map<int, std::optional<Result<Image>>> images_;  // nothing: being made
 };
 
 }  // namespace slipstick

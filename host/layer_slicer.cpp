@@ -32,7 +32,7 @@ LayerSlicer::LayerSlicer(const PlacedSolid& placed, const SliceGrid& grid, const
       stack_(stack),
       settings_(settings),
       goal_(goal),
-      images_(placed.solid, grid, stack) {}
+      images_(placed.solid, grid, stack, settings.slicing.regularize) {}
 
 Result<SlicedLayer> LayerSlicer::slice(int layer) {
   const auto image = images_.image(layer);
@@ -76,7 +76,7 @@ SlicedLayer LayerSlicer::contours(int layer, const ImageWindow::Image& image) co
 // The slice and the slab above it; what is below the first slice belongs to that, too.
 void LayerSlicer::certify(SlicedLayer& layer) const {
   const auto field = solid_->field();
-  if (!field) return;
+  if (!field || settings_.slicing.regularize > 0) return;
   Stopwatch watch;
   const BitImage& image = *layer.image;
   const double beyond = image.grid().width();

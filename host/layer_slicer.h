@@ -5,7 +5,7 @@
 #include "core/job/layers.h"
 #include "core/job/placement.h"
 #include "core/job/settings.h"
-#include "host/image_window.h"
+#include "host/layer_images.h"
 #include "host/sliced_layer.h"
 
 namespace slipstick {
@@ -28,7 +28,7 @@ class LayerSlicer {
   void finished_below(int layer);
 
   /// Seconds spent sampling so far.
-  [[nodiscard]] double sampling_seconds() const { return images_.sampling_seconds(); }
+  [[nodiscard]] double sampling_seconds() const { return images_.seconds(); }
 
   [[nodiscard]] const LayerStack& stack() const { return stack_; }
 
@@ -45,7 +45,7 @@ class LayerSlicer {
   const LayerStack stack_;
   const PrintSettings settings_;
   const SliceGoal goal_;
-  ImageWindow images_;
+  LayerImages images_;
 };
 
 }  // namespace slipstick

@@ -22,10 +22,11 @@ struct Shorthand {
   const char* help;
 };
 
-constexpr std::array<Shorthand, 10> kShorthands{{
+constexpr std::array<Shorthand, 11> kShorthands{{
     {"--layer-height", "layer_height", "mm"},
     {"--first-layer-height", "first_layer_height", "mm"},
     {"--sampling", "sampling", "the paper's r', mm"},
+    {"--regularize", "regularize", "open and close the solid by a ball of this radius, mm"},
     {"--alpha", "alpha", "clustering ratio of --simplify vsa"},
     {"--place", "place", "roots, sliding, projection or midpoints"},
     {"--simplify", "simplify", "fewest, vsa, greedy or none"},

@@ -13,19 +13,20 @@ long peak_rss_bytes() {
 namespace {
 
 // Why there are no certificates at all, if there are none.
-const char* why_nothing(const SlicingJob& job) {
+const char* why_nothing(const SlicingJob& job, const SlicingSettings& slicing) {
   if (job.certification() == Certification::kOff) return "certify is off";
+  if (slicing.regularize > 0) return "a regularized solid is no longer its formula";
   return "a solid that is not a formula has no gradient to prove anything from";
 }
 
-nlohmann::ordered_json certified_json(const SlicingJob& job) {
+nlohmann::ordered_json certified_json(const SlicingJob& job, const SlicingSettings& slicing) {
   const CertifiedTotals& c = job.totals().certified;
   nlohmann::ordered_json json{{"cells", c.cells},
                               {"uncertified", c.uncertified},
                               {"events", c.events},
                               {"steps", c.steps},
                               {"unfinished_layers", c.unfinished_layers}};
-  if (c.layers == 0) json["why"] = why_nothing(job);
+  if (c.layers == 0) json["why"] = why_nothing(job, slicing);
   json["first"] = nlohmann::ordered_json::array();
   for (const CertifiedTotals::Place& p : c.first) {
     json["first"].push_back(
@@ -63,7 +64,7 @@ nlohmann::ordered_json slicing_report(const SlicingJob& job, const PrintSettings
   json["max_deviation"] = t.max_deviation;
   json["max_regional_distortion"] = t.max_regional_distortion;
   json["ambiguous_squares"] = t.ambiguous_squares;
-  json["certified"] = certified_json(job);
+  json["certified"] = certified_json(job, settings.slicing);
   const Topology topology = job.topology();
   json["topology"] = {{"components", topology.components},
                       {"tunnels", topology.tunnels},

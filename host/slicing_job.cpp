@@ -26,8 +26,16 @@ Result<std::unique_ptr<SlicingJob>> SlicingJob::start(const PlacedSolid& placed,
     return fail(ErrorCode::kInput,
                 "nothing can be certified of a solid that is not a formula; use --certify report");
   }
-  const auto grid = SliceGrid::over({{b.low.x, b.low.y}, {b.high.x, b.high.y}},
-                                    LayerStack::aligned_sampling(slicing));
+  if (slicing.certify == Certification::kStrict && slicing.regularize > 0) {
+    return fail(ErrorCode::kInput,
+                "a regularized solid is no longer the formula that could be certified; use "
+                "--certify report");
+  }
+  // Room for what grows before it shrinks back.
+  const double room = slicing.regularize;
+  const auto grid =
+      SliceGrid::over({{b.low.x - room, b.low.y - room}, {b.high.x + room, b.high.y + room}},
+                      LayerStack::aligned_sampling(slicing));
   if (!grid) return fail(grid.error());
   const auto stack = LayerStack::over(b.high.z, slicing);
   if (!stack) return fail(stack.error());

@@ -2,21 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <iterator>
 #include <set>
 #include <utility>
 
 #include "core/base/check.h"
-#include "sim/pixel_image.h"
+#include "sim/coverage.h"
+#include "sim/matching.h"
 #include "sim/regions.h"
+#include "sim/shortest_way.h"
 
 namespace slipstick {
 
 namespace {
-
-/// Pixels a side of the least hole that must stay open. Beads thinner than a pixel's diagonal are
-/// drawn that wide, so two of them may cover a gap of two pixels between them.
-constexpr int kTellableSide = 3;
 
 Box2 area_of(std::span<const ExtrudedSegment> beads, const Contours& contours) {
   Box2 area;
@@ -32,122 +30,6 @@ Box2 area_of(std::span<const ExtrudedSegment> beads, const Contours& contours) {
 
 std::size_t index(int i) {
   return static_cast<std::size_t>(i);
-}
-
-/// What is wanted on one side of the contours, as pixels.
-struct Wanted {
-  Regions parts;  ///< Of islands or holes; one of them may be in several parts, but for that all is
-                  ///< true.
-  Regions raster;  ///< The same pixels, put together without regard to what they belong to.
-};
-
-/// Pairs of a wanted part and a printed one that meet (see the header).
-std::vector<Overlap> meetings(const Regions& wanted, const Regions& printed, std::int64_t speck) {
-  const std::vector<Overlap> pairs = overlaps(wanted, printed);
-  std::vector<std::int64_t> most(index(wanted.count()));
-  for (const Overlap& pair : pairs) {
-    most[index(pair.a)] = std::max(most[index(pair.a)], pair.pixels);
-  }
-  std::vector<Overlap> result;
-  for (const Overlap& pair : pairs) {
-    if (pair.pixels >= speck || pair.pixels == most[index(pair.a)]) result.push_back(pair);
-  }
-  return result;
-}
-
-/// How many pairs (key, value) there are of each key, each pair counted once.
-std::map<int, int> counts(std::vector<std::pair<int, int>> pairs) {
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  std::map<int, int> result;
-  for (const auto& [key, value] : pairs) ++result[key];
-  return result;
-}
-
-/// Islands or holes that meet more printed parts than they have parts themselves.
-int count_cuts(const Wanted& wanted, const std::vector<Overlap>& met) {
-  std::vector<std::pair<int, int>> printed_of, own_of;
-  for (const Overlap& pair : met) {
-    printed_of.emplace_back(wanted.parts.labels()[index(pair.a)], pair.b);
-  }
-  for (int part = 0; part < wanted.parts.count(); ++part) {
-    own_of.emplace_back(wanted.parts.labels()[index(part)], part);
-  }
-  const std::map<int, int> own = counts(std::move(own_of));
-  int cuts = 0;
-  for (const auto& [label, parts] : counts(std::move(printed_of))) {
-    cuts += std::max(0, parts - own.at(label));
-  }
-  return cuts;
-}
-
-/// Printed parts that meet several islands or holes which do not touch in the raster themselves.
-int count_joints(const Wanted& wanted, const std::vector<Overlap>& met) {
-  std::vector<int> raster_of(index(wanted.parts.count()));
-  for (const Overlap& pair : overlaps(wanted.parts, wanted.raster)) {
-    raster_of[index(pair.a)] = pair.b;
-  }
-  std::vector<std::pair<int, int>> labels_of, rasters_of;
-  for (const Overlap& pair : met) {
-    labels_of.emplace_back(pair.b, wanted.parts.labels()[index(pair.a)]);
-    rasters_of.emplace_back(pair.b, raster_of[index(pair.a)]);
-  }
-  const std::map<int, int> rasters = counts(std::move(rasters_of));
-  int joints = 0;
-  for (const auto& [part, labels] : counts(std::move(labels_of))) {
-    joints += std::min(labels, rasters.at(part)) - 1;
-  }
-  return joints;
-}
-
-/// Islands of which no pixel is near the printed parts.
-int count_missing(const Wanted& material, const Regions& near) {
-  std::set<int> missing(material.parts.labels().begin(), material.parts.labels().end());
-  for (const Overlap& pair : overlaps(material.parts, near)) {
-    missing.erase(material.parts.labels()[index(pair.a)]);
-  }
-  return static_cast<int>(missing.size());
-}
-
-/// What two runs have in common, of one label; empty if they are of two.
-PixelRun common_part(const PixelRun& a, const PixelRun& b) {
-  return {a.row, std::max(a.begin, b.begin), a.label == b.label ? std::min(a.end, b.end) : 0,
-          a.label, 0};
-}
-
-/// Labels that have a square of `side` pixels somewhere.
-std::set<int> labels_with_square(const Regions& parts, int side) {
-  std::set<int> labels;
-  const auto runs = parts.runs();
-  std::vector<std::vector<PixelRun>> by_row;
-  for (const PixelRun& run : runs) {
-    by_row.resize(std::max(by_row.size(), index(run.row) + 1));
-    by_row[index(run.row)].push_back(run);
-  }
-  for (std::size_t last = index(side) - 1; last < by_row.size(); ++last) {
-    std::vector<PixelRun> columns = by_row[last];  // common to all rows looked at so far
-    for (std::size_t up = 1; up < index(side); ++up) {
-      std::vector<PixelRun> narrowed;
-      for (const PixelRun& a : columns) {
-        for (const PixelRun& b : by_row[last - up]) {
-          const PixelRun c = common_part(a, b);
-          if (c.end - c.begin >= side) narrowed.push_back(c);
-        }
-      }
-      columns = std::move(narrowed);
-    }
-    for (const PixelRun& run : columns) labels.insert(run.label);
-  }
-  return labels;
-}
-
-/// Holes that are closed up, those too narrow to tell left out.
-int count_closed(const Wanted& space, const Regions& printed_free) {
-  std::set<int> closed = labels_with_square(space.parts, kTellableSide);
-  for (const Overlap& pair : overlaps(space.parts, printed_free)) {
-    closed.erase(space.parts.labels()[index(pair.a)]);
-  }
-  return static_cast<int>(closed.size());
 }
 
 /// Whether each printed part meets anything.
@@ -170,6 +52,15 @@ void remove_unmet(PixelImage& image, const Regions& parts, const std::vector<boo
   }
 }
 
+/// The parts that nothing meets, as an image.
+PixelImage unmet(const Regions& parts, const std::vector<bool>& met, const PixelFrame& frame) {
+  PixelImage image(frame);
+  for (const PixelRun& run : parts.runs()) {
+    if (!met[index(run.region)]) image.set(run.row, run.begin, run.end);
+  }
+  return image;
+}
+
 PixelImage drawn(const PixelFrame& frame, const Regions& regions) {
   PixelImage image(frame);
   for (const PixelRun& run : regions.runs()) image.set(run.row, run.begin, run.end);
@@ -189,19 +80,135 @@ int count_islands(const Contours& contours) {
   return islands;
 }
 
+/// The runs for which `chosen` holds.
+template <typename Chosen>
+std::vector<PixelRun> runs_where(const Regions& regions, Chosen chosen) {
+  std::vector<PixelRun> runs;
+  std::copy_if(regions.runs().begin(), regions.runs().end(), std::back_inserter(runs), chosen);
+  return runs;
+}
+
+/// Which of its numbers tells what part a run belongs to.
+using PartOf = int PixelRun::*;
+
+/// Where parts ought to hang together, or ought not to.
+struct Ground {
+  const PixelImage& pixels;
+  Steps steps;
+  const Regions& regions;
+  PartOf part_of;
+};
+
+/// Puts each fault where a shortest way on the ground joins one part to a later one; where pixels
+/// show no way, in the part itself.
+void place_splits(const std::vector<Split>& splits, const Ground& ground, DefectKind kind,
+                  std::vector<Defect>& defects) {
+  int left = LayerVerdict::kDefectsPlaced;
+  for (const Split& split : splits) {
+    for (int i = 0; i < split.count && left > 0; ++i, --left) {
+      const auto from = runs_where(ground.regions, [&](const PixelRun& run) {
+        return run.*ground.part_of == split.parts[index(i)];
+      });
+      const auto to = runs_where(ground.regions, [&](const PixelRun& run) {
+        return std::binary_search(split.parts.begin() + i + 1, split.parts.end(),
+                                  run.*ground.part_of);
+      });
+      const auto middle = middle_of_shortest_way(ground.pixels, from, to, ground.steps);
+      defects.push_back({kind, middle.value_or(middle_of_longest(ground.pixels.frame(), from)), 0});
+    }
+  }
+}
+
+/// Puts each missing island or closed hole into the middle of itself.
+void place_lost(const std::set<int>& labels, const PixelFrame& frame, const Regions& parts,
+                DefectKind kind, std::vector<Defect>& defects) {
+  int left = LayerVerdict::kDefectsPlaced;
+  for (const int label : labels) {
+    if (left-- == 0) return;
+    const auto runs = runs_where(parts, [&](const PixelRun& run) { return run.label == label; });
+    defects.push_back({kind, middle_of_longest(frame, runs), 0});
+  }
+}
+
+/// What was wanted and what was printed on one side: islands and material, or holes and free space.
+struct Comparison {
+  const Wanted& wanted;
+  const Regions& printed;
+  const std::vector<Overlap>& met;
+  std::set<int> lost;  ///< Labels of which there is nothing.
+  PixelImage wanted_pixels;
+  PixelImage printed_pixels;
+  Steps steps;
+};
+
+struct Kinds {
+  DefectKind cut;
+  DefectKind joined;
+  DefectKind lost;
+};
+
+constexpr Kinds kComponents{DefectKind::kIslandCut, DefectKind::kIslandsJoined,
+                            DefectKind::kIslandMissing};
+constexpr Kinds kHoles{DefectKind::kHoleCut, DefectKind::kHolesJoined, DefectKind::kHoleClosed};
+
+/// \return How many are wrong.
+int find_wrong(const Comparison& c, const Kinds& kinds, std::vector<Defect>& defects) {
+  const auto cuts = find_cuts(c.wanted, c.met);
+  const auto joints = find_joints(c.wanted, c.met);
+  place_splits(cuts, {c.wanted_pixels, c.steps, c.printed, &PixelRun::region}, kinds.cut, defects);
+  place_splits(joints, {c.printed_pixels, c.steps, c.wanted.parts, &PixelRun::label}, kinds.joined,
+               defects);
+  place_lost(c.lost, c.wanted_pixels.frame(), c.wanted.parts, kinds.lost, defects);
+  return total(cuts) + total(joints) + static_cast<int>(c.lost.size());
+}
+
+int pixels_of(double mm, double pixel) {
+  return static_cast<int>(std::lround(mm / pixel));
+}
+
+void add(std::vector<Defect>& defects, const std::vector<Defect>& more) {
+  defects.insert(defects.end(), more.begin(), more.end());
+}
+
+/// Pixels a side of the least bare or hanging place; odd.
+int least_side(const JudgeOptions& options) {
+  return 2 * (pixels_of(options.least_mm, options.pixel) / 2) + 1;
+}
+
+void judge_support(const Hanging& air, const JudgeOptions& options, LayerVerdict& verdict) {
+  add(verdict.defects, thick_regions(air.wrong, least_side(options), DefectKind::kInTheAir));
+  for (const Defect& d : thick_regions(air.wanted, least_side(options), DefectKind::kInTheAir)) {
+    verdict.overhang_mm2 += d.mm2;
+  }
+}
+
+/// What the perimeters left bare.
+PixelImage bare_rim(const PixelImage& solid, const PixelImage& deposit,
+                    const JudgeOptions& options) {
+  PixelImage bare = rim_of(solid, pixels_of(options.rim_mm, options.pixel));
+  return bare -= deposit;
+}
+
 }  // namespace
 
-LayerVerdict judge_layer(std::span<const ExtrudedSegment> beads, const Contours& contours,
-                         const JudgeOptions& options) {
+JudgedLayer judge_layer_over(const std::optional<PixelImage>& below,
+                             std::span<const ExtrudedSegment> beads, const Contours& contours,
+                             const JudgeOptions& options) {
   SLIPSTICK_CHECK(options.pixel > 0 && options.speck_mm2 > 0);
   const PixelFrame frame = PixelFrame::over(area_of(beads, contours), options.pixel);
   PixelImage deposit(frame);
   for (const ExtrudedSegment& bead : beads) deposit.draw_capsule(bead.a, bead.b, bead.width);
+  PixelImage support = deposit;
   const double pixel_mm2 = options.pixel * options.pixel;
   const auto speck = static_cast<std::int64_t>(std::ceil(options.speck_mm2 / pixel_mm2));
+  LayerVerdict verdict;
 
   Regions islands = Regions::of_contours(frame, contours, Side::kSolid);
   const PixelImage solid = drawn(frame, islands);
+  if (below) {
+    const int reach = pixels_of(options.reach_mm, options.pixel);
+    judge_support(hanging(deposit, below->within(frame), solid, reach), options, verdict);
+  }
   const Wanted material{std::move(islands), Regions::of_set(solid)};
   const Regions printed = Regions::of_set(deposit);
   const auto met = meetings(material.parts, printed, speck);
@@ -212,22 +219,37 @@ LayerVerdict judge_layer(std::span<const ExtrudedSegment> beads, const Contours&
   const Wanted space{Regions::of_contours(frame, contours, Side::kFree), Regions::of_free(solid)};
   const Regions printed_free = Regions::of_free(deposit);
   const auto free_met = meetings(space.parts, printed_free, speck);
+  const auto free_is_met = is_met(printed_free, free_met);
 
   const auto solid_pixels = static_cast<double>(solid.count());
   const auto outside_pixels = static_cast<double>(deposit.count_without(solid));
   const int island_count = count_islands(contours);
-  return {
-      .components = island_count,
-      .holes = static_cast<int>(contours.size()) - island_count,
-      .components_wrong = count_cuts(material, met) + count_joints(material, met) +
-                          count_missing(material, Regions::of_set(deposit.grown())),
-      .holes_wrong = count_cuts(space, free_met) + count_joints(space, free_met) +
-                     count_closed(space, printed_free),
-      .solid_mm2 = solid_pixels * pixel_mm2,
-      .area_error = solid_pixels > 0 ? outside_pixels / solid_pixels : 0,
-      .void_mm2 = static_cast<double>(unmet_pixels(printed_free, is_met(printed_free, free_met))) *
-                  pixel_mm2,
-      .stray_mm2 = static_cast<double>(stray) * pixel_mm2};
+  verdict.components = island_count;
+  verdict.holes = static_cast<int>(contours.size()) - island_count;
+  verdict.components_wrong =
+      find_wrong({material, printed, met, find_missing(material, Regions::of_set(deposit.grown())),
+                  solid, deposit, Steps::kCorners},
+                 kComponents, verdict.defects);
+  verdict.holes_wrong = find_wrong({space, printed_free, free_met, find_closed(space, printed_free),
+                                    solid.inverted(), deposit.inverted(), Steps::kSides},
+                                   kHoles, verdict.defects);
+  add(verdict.defects,
+      thick_regions(bare_rim(solid, deposit, options), least_side(options), DefectKind::kRimBare));
+  verdict.solid_mm2 = solid_pixels * pixel_mm2;
+  verdict.area_error = solid_pixels > 0 ? outside_pixels / solid_pixels : 0;
+  verdict.void_mm2 = static_cast<double>(unmet_pixels(printed_free, free_is_met)) * pixel_mm2;
+  verdict.stray_mm2 = static_cast<double>(stray) * pixel_mm2;
+  verdict.touches = !met.empty();
+
+  const PixelImage voids = unmet(printed_free, free_is_met, frame);
+  support |= voids;
+  deposit |= voids;
+  return {std::move(verdict), solid, std::move(deposit), std::move(support)};
+}
+
+LayerVerdict judge_layer(std::span<const ExtrudedSegment> beads, const Contours& contours,
+                         const JudgeOptions& options) {
+  return judge_layer_over(std::nullopt, beads, contours, options).verdict;
 }
 
 }  // namespace slipstick

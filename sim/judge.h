@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "core/base/vec.h"
+#include "sim/defect.h"
 #include "sim/deposit.h"
+#include "sim/pixel_image.h"
 
 namespace slipstick {
 
@@ -34,6 +37,14 @@ namespace slipstick {
 ///   that of D: holes closed up, cut, or joined with each other or the outside. Free space of D
 ///   that meets none is a void, as the cells of sparse infill are, and never wrong.
 ///
+/// A *bare rim* is a place within `rim_mm` of the contours, inside, that D leaves free and that has
+/// room for a square of `least_mm`: a perimeter that was not laid.
+///
+/// What lies more than `reach_mm` beyond all that was laid in the layer below, voids taken as
+/// closed, lies *in the air*. That is wrong where no solid is wanted, and for a piece of D that
+/// nothing holds at all, skirt included; anywhere else it is a bridge or an overhang that the solid
+/// asks for. Less than a square of `least_mm` is not accountable. The first layer lies on the bed.
+///
 /// Necks and gaps narrower than a pixel are beyond what pixels can tell and are given the benefit
 /// of the doubt; the contours' own count of islands and holes does not depend on pixels.
 
@@ -43,6 +54,9 @@ using Contours = std::vector<std::vector<Vec2>>;
 struct JudgeOptions {
   double pixel = 0.05;      ///< mm.
   double speck_mm2 = 0.02;  ///< mm²: about an eighth of the end of a bead.
+  double rim_mm = 0.4;      ///< How deep perimeters must cover the solid.
+  double reach_mm = 0.45;   ///< A bead may stand out so far over what is below.
+  double least_mm = 0.25;   ///< Side of the least bare or hanging place.
 };
 
 /// The finding on one layer.
@@ -56,9 +70,29 @@ struct LayerVerdict {
       0;                 ///< Area of D outside the islands over theirs, stray material not counted.
   double void_mm2 = 0;   ///< Voids of D.
   double stray_mm2 = 0;  ///< Stray material.
+  double overhang_mm2 = 0;      ///< Bridges and overhangs that the solid asks for.
+  bool touches = false;         ///< Whether any material meets an island.
+  std::vector<Defect> defects;  ///< What is counted above, `kDefectsPlaced` of each kind at most,
+                                ///< and bare rims and material in the air.
+
+  static constexpr int kDefectsPlaced = 64;
 };
 
-/// Judges `beads` by `contours`. \pre The options are > 0.
+/// A layer as the judge saw it, for the next layer and for the topology of the print.
+struct JudgedLayer {
+  LayerVerdict verdict;
+  PixelImage wanted;   ///< The islands.
+  PixelImage shape;    ///< D, its voids filled, without stray material.
+  PixelImage support;  ///< All that was laid, voids filled.
+};
+
+/// Judges `beads` by `contours`. `below` is the support of the layer below; nothing where that is
+/// the bed, or not known. \pre The options are > 0; `below` has pixels of that size.
+[[nodiscard]] JudgedLayer judge_layer_over(const std::optional<PixelImage>& below,
+                                           std::span<const ExtrudedSegment> beads,
+                                           const Contours& contours, const JudgeOptions& options);
+
+/// The verdict alone, on a layer of which it is not asked what it lies on.
 [[nodiscard]] LayerVerdict judge_layer(std::span<const ExtrudedSegment> beads,
                                        const Contours& contours, const JudgeOptions& options = {});
 

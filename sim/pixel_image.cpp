@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/check.h"
+#include "sim/pixel_runs.h"
 
 namespace slipstick {
 
@@ -67,14 +68,23 @@ Interval capsule_at(double y, Vec2 a, Vec2 b, double radius) {
 
 PixelFrame PixelFrame::over(const Box2& area, double size) {
   SLIPSTICK_CHECK(size > 0);
-  if (area.empty()) return {{}, size, 1, 1};
-  constexpr double kMost = 1 << 15;
+  if (area.empty()) return {{}, size, 1, 1, 0, 0};
+  constexpr std::int64_t kMost = 1 << 15;
+  const auto first = [&](double from) {
+    return static_cast<std::int64_t>(std::floor(from / size)) - 1;
+  };
+  const auto count = [&](double to, std::int64_t begin) {
+    const auto end = static_cast<std::int64_t>(std::ceil(to / size)) + 1;
+    return static_cast<int>(std::min(kMost, end - begin));
+  };
   PixelFrame frame;
   frame.size = size;
-  frame.low = {area.low.x - size, area.low.y - size};
-  frame.columns =
-      static_cast<int>(std::min(kMost, std::ceil((area.high.x - area.low.x) / size) + 2));
-  frame.rows = static_cast<int>(std::min(kMost, std::ceil((area.high.y - area.low.y) / size) + 2));
+  frame.first_column = first(area.low.x);
+  frame.first_row = first(area.low.y);
+  frame.low = {static_cast<double>(frame.first_column) * size,
+               static_cast<double>(frame.first_row) * size};
+  frame.columns = count(area.high.x, frame.first_column);
+  frame.rows = count(area.high.y, frame.first_row);
   return frame;
 }
 
@@ -95,6 +105,12 @@ std::int64_t PixelImage::count() const {
   std::int64_t n = 0;
   for (const std::uint64_t word : words_) n += std::popcount(word);
   return n;
+}
+
+bool PixelImage::at(int r, int column) const {
+  if (r < 0 || column < 0 || r >= frame_.rows || column >= frame_.columns) return false;
+  const std::uint64_t word = row(r)[static_cast<std::size_t>(column / kWordBits)];
+  return ((word >> (column % kWordBits)) & 1u) != 0;
 }
 
 template <typename Apply>
@@ -147,6 +163,52 @@ PixelImage PixelImage::grown() const {
     }
   }
   return result;
+}
+
+PixelImage PixelImage::inverted() const {
+  PixelImage result(frame_);
+  for (int r = 0; r < frame_.rows; ++r) result.set(r, 0, frame_.columns);
+  return result -= *this;
+}
+
+PixelImage PixelImage::shrunk() const {
+  PixelImage result = inverted().grown().inverted();
+  for (const int r : {0, frame_.rows - 1}) result.clear(r, 0, frame_.columns);
+  for (int r = 0; r < frame_.rows; ++r) {
+    result.clear(r, 0, 1);
+    result.clear(r, frame_.columns - 1, frame_.columns);
+  }
+  return result;
+}
+
+PixelImage PixelImage::within(const PixelFrame& frame) const {
+  SLIPSTICK_CHECK(frame.size == frame_.size);
+  PixelImage result(frame);
+  const auto place = [](std::int64_t i, int count) {
+    return static_cast<int>(std::clamp<std::int64_t>(i, 0, count));
+  };
+  for (int r = 0; r < frame_.rows; ++r) {
+    const std::int64_t to = r + frame_.first_row - frame.first_row;
+    if (to < 0 || to >= frame.rows) continue;
+    for_set_runs(row(r), frame_.columns, [&](int begin, int end) {
+      const std::int64_t shift = frame_.first_column - frame.first_column;
+      result.set(static_cast<int>(to), place(begin + shift, frame.columns),
+                 place(end + shift, frame.columns));
+    });
+  }
+  return result;
+}
+
+PixelImage& PixelImage::operator-=(const PixelImage& other) {
+  SLIPSTICK_CHECK(words_.size() == other.words_.size());
+  for (std::size_t i = 0; i < words_.size(); ++i) words_[i] &= ~other.words_[i];
+  return *this;
+}
+
+PixelImage& PixelImage::operator|=(const PixelImage& other) {
+  SLIPSTICK_CHECK(words_.size() == other.words_.size());
+  for (std::size_t i = 0; i < words_.size(); ++i) words_[i] |= other.words_[i];
+  return *this;
 }
 
 std::int64_t PixelImage::count_without(const PixelImage& other) const {

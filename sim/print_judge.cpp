@@ -3,7 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/check.h"
+
 namespace slipstick {
+
+void PrintJudge::keep_ledgers(PrintLedger printed, PrintLedger wanted) {
+  SLIPSTICK_CHECK(beads_.empty() && verdict_.layers == 0);
+  printed_ = std::move(printed);
+  wanted_ = std::move(wanted);
+}
 
 void PrintJudge::add(const ExtrudedSegment& bead) {
   if (!beads_.empty() && std::abs(bead.z - beads_.front().z) > Deposit::kSameZ) judge();
@@ -15,23 +23,53 @@ const PrintVerdict& PrintJudge::finish() {
   return verdict_;
 }
 
+std::optional<Topology> PrintJudge::printed_topology() const {
+  return printed_ ? std::optional(printed_->topology()) : std::nullopt;
+}
+
+std::optional<Topology> PrintJudge::wanted_topology() const {
+  return wanted_ ? std::optional(wanted_->topology()) : std::nullopt;
+}
+
 void PrintJudge::judge() {
-  const auto contours = contours_of_(beads_.front().z, beads_.front().height);
-  if (contours) {
-    const LayerVerdict layer = judge_layer(beads_, *contours, options_);
-    PrintVerdict& v = verdict_;
-    ++v.layers;
-    v.components_wrong += layer.components_wrong;
-    v.holes_wrong += layer.holes_wrong;
-    v.area_error_max = std::max(v.area_error_max, layer.area_error);
-    v.area_error_mean += (layer.area_error - v.area_error_mean) / v.layers;
-    v.stray_mm2 += layer.stray_mm2;
-    const bool wrong = layer.components_wrong + layer.holes_wrong > 0;
-    if (wrong && v.wrong_at.size() < kWrongListed) v.wrong_at.push_back(beads_.front().z);
-  } else {
-    ++verdict_.layers_unknown;
-  }
+  const ExtrudedSegment first = beads_.front();
+  const auto contours = contours_of_(first.z, first.height);
+  const bool on_bed = first.z - first.height < Deposit::kSameZ;
+  if (on_bed) below_.reset();
+  std::optional<JudgedLayer> judged;
+  if (contours) judged = judge_layer_over(below_, beads_, *contours, options_);
   beads_.clear();
+  below_.reset();
+  if (!judged || (!judged->verdict.touches && verdict_.layers == 0)) {
+    ++verdict_.layers_unknown;
+    return;
+  }
+  verdict_.top = first.z;
+  verdict_.height_max = std::max(verdict_.height_max, first.height);
+  note(judged->verdict);
+  if (printed_) printed_->add(judged->shape);
+  if (wanted_) wanted_->add(judged->wanted);
+  below_ = std::move(judged->support);
+}
+
+void PrintJudge::note(const LayerVerdict& layer) {
+  PrintVerdict& v = verdict_;
+  for (const Defect& defect : layer.defects) {
+    v.rims_bare += defect.kind == DefectKind::kRimBare ? 1 : 0;
+    v.in_the_air += defect.kind == DefectKind::kInTheAir ? 1 : 0;
+    if (v.defects.size() < PrintVerdict::kDefectsListed) {
+      v.defects.push_back({v.layers, v.top, defect});
+    }
+  }
+  ++v.layers;
+  v.components_wrong += layer.components_wrong;
+  v.holes_wrong += layer.holes_wrong;
+  v.area_error_max = std::max(v.area_error_max, layer.area_error);
+  v.area_error_mean += (layer.area_error - v.area_error_mean) / v.layers;
+  v.stray_mm2 += layer.stray_mm2;
+  v.overhang_mm2 += layer.overhang_mm2;
+  const bool wrong = layer.components_wrong + layer.holes_wrong > 0;
+  if (wrong && v.wrong_at.size() < PrintVerdict::kWrongListed) v.wrong_at.push_back(v.top);
 }
 
 }  // namespace slipstick

@@ -4,22 +4,26 @@
 #include <cmath>
 
 namespace slipstick {
+namespace {
 
-Vec2 PrefixMoments::cells(GridPoint p) const {
-  constexpr double kCell = 1.0 / static_cast<double>(SliceGrid::kUnitsPerCell);
-  return {(static_cast<double>(p.x) - origin_.x) * kCell,
-          (static_cast<double>(p.y) - origin_.y) * kCell};
+constexpr double kCell = 1.0 / static_cast<double>(SliceGrid::kUnitsPerCell);
+
+Vec2 cells(GridPoint p, GridPoint origin) {
+  return {(static_cast<double>(p.x) - origin.x) * kCell,
+          (static_cast<double>(p.y) - origin.y) * kCell};
 }
+
+}  // namespace
 
 void PrefixMoments::build(const Corridor& corridor, std::size_t start) {
   const std::size_t n = corridor.size();
-  origin_ = corridor.points(start)[Corridor::kOwnPlace];
+  const GridPoint origin = corridor.points(start)[Corridor::kOwnPlace];
   sums_.resize(n + 1);
   sums_[0] = {};
   Vec2 a{0, 0};
   for (std::size_t k = 1, i = start; k <= n; ++k) {
     i = i + 1 < n ? i + 1 : 0;
-    const Vec2 b = cells(corridor.points(i)[Corridor::kOwnPlace]);
+    const Vec2 b = cells(corridor.points(i)[Corridor::kOwnPlace], origin);
     const Vec2 d = b - a;
     const double l = std::sqrt(d.x * d.x + d.y * d.y);
     const Sum& s = sums_[k - 1];
@@ -33,10 +37,11 @@ void PrefixMoments::build(const Corridor& corridor, std::size_t start) {
   }
 }
 
-double PrefixMoments::distortion(std::size_t from, std::size_t to, GridPoint a, GridPoint b) const {
+double PrefixMoments::distortion(std::size_t from, std::size_t to, Ray<double> a,
+                                 Ray<double> b) const {
   const Sum& s = sums_[from];
   const Sum& t = sums_[to];
-  const Vec2 p = cells(a), q = cells(b);
+  const Vec2 p{a.x * kCell, a.y * kCell}, q{b.x * kCell, b.y * kCell};
   const double nx = p.y - q.y, ny = q.x - p.x;
   const double c = nx * p.x + ny * p.y;
   const double m = nx * nx * (t.xx - s.xx) + 2 * nx * ny * (t.xy - s.xy) + ny * ny * (t.yy - s.yy);

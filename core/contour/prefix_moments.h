@@ -4,6 +4,7 @@
 
 #include "core/base/vec.h"
 #include "core/contour/corridor.h"
+#include "core/contour/wedge.h"
 
 namespace slipstick {
 
@@ -19,16 +20,14 @@ class PrefixMoments {
   void build(const Corridor& corridor, std::size_t start);
 
   /// Cubic cells: of the run from the `from`-th to the `to`-th vertex after the start, from the
-  /// line through two points. Never negative.
-  [[nodiscard]] double distortion(std::size_t from, std::size_t to, GridPoint a, GridPoint b) const;
+  /// line through two points, which are in 1/65536 of a cell from the first vertex. Never negative.
+  [[nodiscard]] double distortion(std::size_t from, std::size_t to, Ray<double> a,
+                                  Ray<double> b) const;
 
  private:
   struct Sum {
     double w = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
   };
-  [[nodiscard]] Vec2 cells(GridPoint p) const;
-
-  GridPoint origin_;
   std::vector<Sum> sums_;
 };
 

@@ -26,10 +26,9 @@ struct Simplified {
 };
 
 /// The fewest edges that windows of `tolerance` about the places allow, vertices at one of three
-/// candidates on their sticks; among the fewest the least distortion. Exact for the loop cut open
-/// at one vertex, and searched for edges that skip at most `Wedge::kSpanMax` sticks; where the
-/// Fréchet distance found is beyond the tolerance, windows are narrowed there and the loop is
-/// searched again.
+/// candidates on their sticks; among the fewest the least distortion. Near-optimal: `EdgeSearch`
+/// says what its search leaves out. Where the Fréchet distance found is beyond the tolerance,
+/// windows are narrowed there and the loop is searched again.
 [[nodiscard]] Simplified simplify_fewest(const ContourSet& contours,
                                          const SimplifyOptions& options);
 

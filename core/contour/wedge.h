@@ -1,56 +1,67 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "core/contour/stick.h"
 
 namespace slipstick {
 
+/// A difference of two points in 1/65536 of a cell.
+template <typename Number>
+struct Ray {
+  Number x{};
+  Number y{};
+};
+
+template <typename Number>
+[[nodiscard]] constexpr Number cross(Ray<Number> a, Ray<Number> b) {
+  return a.x * b.y - a.y * b.x;
+}
+
 /// What can be seen from one point of a contour through the windows of the sticks that follow: a
 /// cone, narrowed stick by stick. A line from its origin within the cone crosses every window
 /// passed so far, in order.
 ///
-/// Exact in 64 bits as long as no more than `kSpanMax` sticks lie between the origin and what is
-/// looked at: two neighbouring sticks bound one cell, so differences stay below 2^29 + 2^16 and
-/// cross products below 2^60.
+/// Exact, in doubles for runs of up to `kSpanMax` sticks as well as in 64-bit integers for longer
+/// ones: two neighbouring sticks bound one cell, so differences stay below (span + 1) 2^16, and the
+/// products of a cross product below 2^52 in doubles and 2^60 in integers.
+template <typename Number>
 class Wedge {
  public:
-  static constexpr std::size_t kSpanMax = 8192;
+  static constexpr std::size_t kSpanMax = std::is_floating_point_v<Number> ? 1000 : 8192;
 
-  /// Looks from `origin` at the next stick, between its inside end `left` and outside end `right`;
-  /// all of it is seen.
-  Wedge(GridPoint origin, GridPoint left, GridPoint right)
-      : origin_(origin), left_(towards(left)), right_(towards(right)) {}
+  /// The next stick, from its inside end to its outside end; all of it is seen.
+  Wedge(Ray<Number> inside, Ray<Number> outside) : left_(inside), right_(outside) {}
+  template <typename Other>
+  explicit Wedge(const Wedge<Other>& other)
+      : left_{static_cast<Number>(other.left().x), static_cast<Number>(other.left().y)},
+        right_{static_cast<Number>(other.right().x), static_cast<Number>(other.right().y)} {}
 
-  /// Whether a line from the origin to `point`, on the stick behind the windows passed, crosses
-  /// them all.
-  [[nodiscard]] bool sees(GridPoint point) const {
-    const Ray ray = towards(point);
-    return cross(right_, ray) > 0 && cross(ray, left_) > 0;
+  /// Whether a line towards `point`, on the stick behind the windows passed, crosses them all.
+  [[nodiscard]] bool sees(Ray<Number> point) const {
+    return cross(right_, point) > 0 && cross(point, left_) > 0;
   }
 
-  /// Passes the window from `left` to `right`. \return false if nothing can be seen behind it.
-  [[nodiscard]] bool pass(GridPoint left, GridPoint right) {
-    const Ray a = towards(left), b = towards(right);
-    if (cross(right_, a) <= 0 || cross(b, left_) <= 0) return false;
-    if (cross(left_, a) <= 0) left_ = a;
-    if (cross(right_, b) >= 0) right_ = b;
+  /// Whether any point of a window can be seen.
+  [[nodiscard]] bool meets(Ray<Number> inside, Ray<Number> outside) const {
+    return cross(right_, inside) > 0 && cross(outside, left_) > 0;
+  }
+
+  /// Passes a window. \pre It meets it. \return false if nothing can be seen behind it.
+  [[nodiscard]] bool pass(Ray<Number> inside, Ray<Number> outside) {
+    if (cross(inside, left_) >= 0) left_ = inside;
+    if (cross(right_, outside) >= 0) right_ = outside;
     return cross(right_, left_) > 0;
   }
 
- private:
-  struct Ray {
-    std::int64_t x;
-    std::int64_t y;
-  };
-  static std::int64_t cross(Ray a, Ray b) { return a.x * b.y - a.y * b.x; }
-  [[nodiscard]] Ray towards(GridPoint p) const {
-    return {std::int64_t{p.x} - origin_.x, std::int64_t{p.y} - origin_.y};
-  }
+  [[nodiscard]] Ray<Number> left() const { return left_; }
+  [[nodiscard]] Ray<Number> right() const { return right_; }
 
-  GridPoint origin_;
-  Ray left_;
-  Ray right_;
+ private:
+  Ray<Number> left_;
+  Ray<Number> right_;
 };
 
 }  // namespace slipstick

@@ -2,74 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <bit>
 #include <cstdint>
-#include <optional>
 #include <utility>
 #include <vector>
 
-#include "core/base/number_text.h"
 #include "core/formats/mesh_build.h"
 #include "core/formats/mesh_ply_header.h"
-#include "core/formats/mesh_words.h"
+#include "core/formats/mesh_ply_values.h"
 
 namespace slipstick {
 namespace {
 
 constexpr double kListLengthMax = 1 << 20;
-
-template <typename T>
-double value_of(std::array<char, 8> bytes) {
-  std::array<char, sizeof(T)> exact;
-  std::copy_n(bytes.begin(), sizeof(T), exact.begin());
-  return static_cast<double>(std::bit_cast<T>(exact));
-}
-
-double decoded(std::array<char, 8> bytes, PlyType type) {
-  switch (type) {
-    case PlyType::kInt8:
-      return value_of<std::int8_t>(bytes);
-    case PlyType::kUint8:
-      return value_of<std::uint8_t>(bytes);
-    case PlyType::kInt16:
-      return value_of<std::int16_t>(bytes);
-    case PlyType::kUint16:
-      return value_of<std::uint16_t>(bytes);
-    case PlyType::kInt32:
-      return value_of<std::int32_t>(bytes);
-    case PlyType::kUint32:
-      return value_of<std::uint32_t>(bytes);
-    case PlyType::kFloat:
-      return value_of<float>(bytes);
-    case PlyType::kDouble:
-      return value_of<double>(bytes);
-  }
-  return 0;
-}
-
-// The values of the body, one after the other.
-class Values {
- public:
-  Values(PlyFormat format, std::string_view body) : format_(format), rest_(body) {}
-
-  std::optional<double> next(PlyType type) {
-    if (format_ == PlyFormat::kText) return parse_number(take_word(rest_));
-    const std::size_t size = size_of(type);
-    if (rest_.size() < size) return {};
-    std::array<char, 8> bytes{};
-    const auto end = std::copy_n(rest_.begin(), size, bytes.begin());
-    constexpr bool kHostIsLittle = std::endian::native == std::endian::little;
-    if ((format_ == PlyFormat::kLittleEndian) != kHostIsLittle) std::reverse(bytes.begin(), end);
-    rest_.remove_prefix(size);
-    return decoded(bytes, type);
-  }
-
- private:
-  PlyFormat format_;
-  std::string_view rest_;
-};
 
 enum class Meaning : std::uint8_t { kNone, kX, kY, kZ, kPolygon };
 
@@ -131,7 +75,7 @@ class BodyReader {
     return true;
   }
 
-  Values values_;
+  PlyValues values_;
   TriangleMesh mesh_;
   std::vector<std::uint32_t> corners_;
 };

@@ -63,6 +63,7 @@ struct SlicingSettings {
   Placement place = Placement::kRoots;
   Simplification simplify = Simplification::kVsa;
   Ambiguity ambiguity = Ambiguity::kSolid;
+  double regularize = 0;  ///< mm: radius of the ball that opens and closes the solid; 0 is none.
   Certification certify = Certification::kReport;
 };
 

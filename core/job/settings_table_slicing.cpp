@@ -52,6 +52,11 @@ constexpr Setting kRows[] = {
          [](PrintSettings& s, std::size_t i) { s.slicing.ambiguity = static_cast<Ambiguity>(i); }},
      "Whether samples that touch only across a square's diagonal hang together through the solid "
      "or through the void. solid keeps thin walls whole."},
+    {"regularize", SettingGroup::kSlicing, "mm",
+     NumberSetting{[](auto& s) -> decltype(auto) { return (s.slicing.regularize); }, 0, 5},
+     "Radius of a ball that opens and then closes the solid in space: what it cannot enter inside "
+     "goes, what it cannot enter outside is filled. 0 leaves the solid as it is; 1.8 samplings "
+     "make features large enough to be told."},
     {"certify", SettingGroup::kSlicing, "",
      ChoiceSetting{
          kCertifications,

@@ -1,6 +1,7 @@
 #include "core/solid/mesh_model_section.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/base/check.h"
 #include "core/image/bit_image.h"
@@ -26,8 +27,16 @@ double crossing_x(const OutlineSegment& s, double y) {
 }  // namespace
 
 OutlineSection::OutlineSection(std::vector<OutlineSegment> segments, Closedness closedness,
-                               Winding winding)
-    : segments_(std::move(segments)), closedness_(closedness), winding_(winding) {}
+                               Winding winding, int turns)
+    : segments_(std::move(segments)), closedness_(closedness), winding_(winding), turns_(turns) {}
+
+int OutlineSection::counted(int turn) const {
+  return winding_ == Winding::kNonzero ? turn : 1;
+}
+
+bool OutlineSection::is_inside(int turns) const {
+  return winding_ == Winding::kNonzero ? turns != 0 : turns % 2 != 0;
+}
 
 void OutlineSection::classify(std::span<const double> xs, std::span<const double> ys,
                               std::span<std::uint8_t> inside) {
@@ -37,23 +46,31 @@ void OutlineSection::classify(std::span<const double> xs, std::span<const double
   }
 }
 
-// Segments above, below and to the right of the box never count in it and are dropped. If none of
-// the others touches it, a closed outline passes it on the left as a whole, so that all its points
-// have one answer; an open one may end there.
+// Segments above, below and to the right of the box never count in it and are dropped; those that
+// pass it on the left from below to above count for all its points, so their turns are kept and not
+// they. If none of the others touches it, a closed outline passes it on the left as a whole, so
+// that all its points have one answer; an open one may end there.
 Section::Narrowed OutlineSection::narrowed(const Box2& box) {
   std::vector<OutlineSegment> kept;
   bool touched = false;
+  int turns = turns_;
   for (const OutlineSegment& s : segments_) {
     if (s.high.y <= box.low.y || s.low.y > box.high.y) continue;
     if (std::min(s.low.x, s.high.x) > box.high.x) continue;
-    kept.push_back(s);
-    touched = touched || std::max(s.low.x, s.high.x) >= box.low.x;
+    const bool on_the_left = std::max(s.low.x, s.high.x) < box.low.x;
+    touched = touched || !on_the_left;
+    if (on_the_left && s.low.y <= box.low.y && s.high.y > box.high.y) {
+      turns += counted(s.turn);
+    } else {
+      kept.push_back(s);
+    }
   }
-  if (kept.empty()) return {Cover::kOutside, nullptr};
+  if (kept.empty()) return {is_inside(turns) ? Cover::kInside : Cover::kOutside, nullptr};
   if (!touched && closedness_ == Closedness::kClosed) {
     return {contains(box.low) ? Cover::kInside : Cover::kOutside, nullptr};
   }
-  return {Cover::kMixed, std::make_unique<OutlineSection>(std::move(kept), closedness_, winding_)};
+  return {Cover::kMixed,
+          std::make_unique<OutlineSection>(std::move(kept), closedness_, winding_, turns)};
 }
 
 bool OutlineSection::paint(BitImage& image) {
@@ -119,14 +136,14 @@ void OutlineSection::find_changes() {
   std::sort(crossings_.begin(), crossings_.end(),
             [](const Crossing& a, const Crossing& b) { return a.x < b.x; });
   row_.clear();
-  int sum = 0;
-  bool inside = false;
+  int turns = turns_;
+  bool inside = is_inside(turns);
+  if (inside) row_.push_back(-std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < crossings_.size(); ++i) {
-    sum += winding_ == Winding::kNonzero ? crossings_[i].turn : 1;
+    turns += counted(crossings_[i].turn);
     if (i + 1 < crossings_.size() && crossings_[i + 1].x == crossings_[i].x) continue;
-    const bool now = winding_ == Winding::kNonzero ? sum != 0 : sum % 2 != 0;
-    if (now != inside) row_.push_back(crossings_[i].x);
-    inside = now;
+    if (is_inside(turns) != inside) row_.push_back(crossings_[i].x);
+    inside = is_inside(turns);
   }
 }
 

@@ -27,7 +27,9 @@ enum class Winding : std::uint8_t {
 /// The inside of an outline. A segment crosses the rows low.y <= y < high.y.
 class OutlineSection final : public Section {
  public:
-  OutlineSection(std::vector<OutlineSegment> segments, Closedness closedness, Winding winding);
+  /// \param turns of segments left out, which every point lies to the right of.
+  OutlineSection(std::vector<OutlineSegment> segments, Closedness closedness, Winding winding,
+                 int turns = 0);
 
   void classify(std::span<const double> xs, std::span<const double> ys,
                 std::span<std::uint8_t> inside) override;
@@ -44,6 +46,8 @@ class OutlineSection final : public Section {
     int turn;
   };
 
+  [[nodiscard]] int counted(int turn) const;
+  [[nodiscard]] bool is_inside(int turns) const;
   void find_changes();
   void find_row(double y);
   [[nodiscard]] bool contains(Vec2 p);
@@ -51,6 +55,7 @@ class OutlineSection final : public Section {
   std::vector<OutlineSegment> segments_;
   Closedness closedness_;
   Winding winding_;
+  int turns_;
   IntervalIndex by_y_;
   bool indexed_ = false;
   // The row asked last, its crossings, and where it goes in or out, in order.

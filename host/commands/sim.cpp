@@ -1,12 +1,17 @@
 // `slipstick sim --pty PATH`: the simulated printer on its own, for any host program.
+// `slipstick sim --gcode FILE --against MODEL`: what a program prints, judged by the model.
 #include <fmt/format.h>
 
 #include <chrono>
 #include <stop_token>
 #include <thread>
 
+#include "host/atomic_file.h"
 #include "host/commands/command.h"
+#include "host/gcode_judge.h"
+#include "host/gcode_judge_report.h"
 #include "host/interrupt.h"
+#include "host/options.h"
 #include "sim/pty_server.h"
 #include "sim/sim_transport.h"
 
@@ -17,6 +22,10 @@ struct SimCommand {
   std::string pty;
   int tcp = -1;
   std::string options;
+  std::string gcode;
+  ModelOptions against;
+  SlicingOptions slicing;
+  bool json = false;
 };
 
 std::map<std::string, std::string> options_of(const SimCommand& command) {
@@ -52,20 +61,54 @@ CommandResult run_sim(const SimCommand& command) {
   return 0;
 }
 
+CommandResult run_judge(const SimCommand& command) {
+  const auto request = command.slicing.request(SliceGoal::kContours);
+  if (!request) return fail(request.error());
+  const auto loaded = command.against.load();
+  if (!loaded) return fail(loaded.error());
+  const Vec3 bed = request->settings.printer.bed_size;
+  const auto placed =
+      place_on_bed(*loaded->model, command.against.placement(), {bed.x / 2, bed.y / 2});
+  if (!placed) return fail(placed.error().within(loaded->name));
+  const auto verdict = judge_gcode(command.gcode, *placed, request->settings);
+  if (!verdict) return fail(verdict.error());
+  const auto report = gcode_judge_report(*verdict, request->settings);
+  fmt::print("{}", command.json ? report.dump(2) + "\n" : gcode_judge_text(*verdict));
+  if (!command.slicing.report.empty()) {
+    const auto ok = write_file(command.slicing.report, report.dump(2) + "\n");
+    if (!ok) return fail(ok.error());
+  }
+  return verdict->right() ? 0 : 1;
+}
+
 }  // namespace
 
 void add_sim_command(CLI::App& app, ChosenCommand& run) {
   const auto command = std::make_shared<SimCommand>();
-  CLI::App* sub =
-      app.add_subcommand("sim", "a simulated printer for any host program, in real time");
+  CLI::App* sub = app.add_subcommand(
+      "sim", "a simulated printer for any host program; or the judge of a G-code file");
   auto* pty = sub->add_option("--pty", command->pty, "where to put the link to its terminal");
   auto* tcp = sub->add_option("--tcp", command->tcp, "port on 127.0.0.1; 0 chooses one")
                   ->check(CLI::Range(0, 65535));
   sub->add_option("--options", command->options,
                   "as behind 'sim:?': seed=7&corrupt=0.002&baud=115200");
-  sub->footer("Example: slipstick sim --pty /tmp/printer");
-  sub->callback([command, &run, pty, tcp] {
-    if (pty->count() + tcp->count() == 0) throw CLI::RequiredError("--pty or --tcp");
+  auto* gcode = sub->add_option("--gcode", command->gcode, "a program to print and to judge");
+  auto* against =
+      sub->add_option("--against", command->against.path, "the model that it is to print");
+  gcode->needs(against)->excludes(pty)->excludes(tcp);
+  against->needs(gcode);
+  sub->add_flag("--json", command->json, "print the verdict as JSON");
+  command->against.add_to(*sub);
+  command->slicing.add_to(*sub);
+  sub->footer(
+      "Example: slipstick sim --pty /tmp/printer\n"
+      "         slipstick sim --gcode part.gcode --against part.lua");
+  sub->callback([command, &run, pty, tcp, gcode] {
+    if (gcode->count() > 0) {
+      run = [command] { return run_judge(*command); };
+      return;
+    }
+    if (pty->count() + tcp->count() == 0) throw CLI::RequiredError("--pty, --tcp or --gcode");
     run = [command] { return run_sim(*command); };
   });
 }

@@ -59,7 +59,8 @@ TEST_CASE("A missing model is named") {
 TEST_CASE("A model of unknown kind is told what kinds there are") {
   const Workplace place;
 
-  CHECK_THAT(refusal_of_slice(place, place.file("a.xyz", "")), Contains(".lua, .vm, .stl"));
+  CHECK_THAT(refusal_of_slice(place, place.file("a.doc", "")),
+             Contains("a.doc") && Contains(".lua, .vm, .bsp"));
 }
 
 TEST_CASE("A broken script is named with its line") {

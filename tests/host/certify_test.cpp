@@ -85,6 +85,18 @@ TEST_CASE("Where nothing can be certified the report says why") {
   CHECK_THAT(strict.err, Contains("nothing can be certified"));
 }
 
+TEST_CASE("A regularized formula is not certified") {
+  const Workplace place;
+
+  const auto report = place.report("ring.lua", kRing, {"--regularize", "0.3", "--sampling", "0.2"});
+  const test::Finished strict =
+      place.slice("ring.lua", kRing, {"--regularize", "0.3", "--certify", "strict"});
+
+  CHECK_THAT(report["certified"]["why"].get<std::string>(), Contains("regularized"));
+  CHECK(strict.status == 1);
+  CHECK_THAT(strict.err, Contains("regularized") && Contains("--certify report"));
+}
+
 TEST_CASE("Layers are a whole number of lattice widths, and the report says where they cannot be") {
   const Workplace place;
   const auto aligned = [&](const std::string& sampling, const std::string& first) {

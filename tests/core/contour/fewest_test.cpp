@@ -1,11 +1,15 @@
 // Fewest edges: never farther off than the tolerance, never more edges than the paper's
 // segmentation or the greedy form, never fewer than the bound.
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <string>
 
+#include "core/contour/audit.h"
 #include "core/contour/simplify.h"
 #include "core/contour/trace.h"
 #include "tests/support/images.h"
 #include "tests/support/lower_bound.h"
+#include "tests/support/outlines.h"
 
 using namespace slipstick;
 
@@ -86,6 +90,42 @@ TEST_CASE("A straight side is one edge, so a square of samples has at most eight
   CHECK(fewest.outline.edges() >= 4);
 }
 
+// Longer than doubles are exact for, and longer than any one edge is looked for.
+TEST_CASE("Sides of thousands of sticks are one edge, of more than 8192 two") {
+  for (const int length : {990, 1010, 3000, 8000, 9000, 16000}) {
+    INFO("length " << length);
+    const BitImage bar = test::image_of({std::string(static_cast<std::size_t>(length), '#')});
+    const ContourSet contours = trace(bar, Ambiguity::kSolid);
+
+    const Simplified fewest = simplify_fewest(contours, {0.01, 10});
+
+    const auto loops = test::audit_loops_of(fewest.outline);
+    CHECK(audit_loops(loops).empty());
+    CHECK(audit_samples(loops, bar).empty());
+    CHECK(fewest.outline.edges() <= (length < 8192 ? 6U : 8U));
+  }
+}
+
+TEST_CASE("The distortion of fewest edges is that of the worst edge alone") {
+  // Two sides of a bar bend by a thirty-second of a cell, the middle one towards the solid.
+  const BitImage bar = test::image_of({std::string(64, '#')});
+  ContourSet contours = trace(bar, Ambiguity::kSolid);
+  for (std::size_t i = 0; i < contours.places().size(); ++i) {
+    const Stick s = contours.sticks()[i];
+    if (s.outward != Outward::kNorth) continue;
+    const double across = (s.column - 33.5) / 31.5;
+    contours.places()[i] = Place::clamped(32768 + std::lround(2048 * across * across));
+  }
+
+  const Simplified fewest = simplify_fewest(contours, {0.1 * 0.125, 10});
+
+  // An edge deviates by at most d, so its D' is at most d^2 times the length of its run.
+  const double most = fewest.max_deviation * fewest.max_deviation * 66 * 0.125;
+  CHECK(fewest.max_deviation > 0.001 * 0.125);
+  CHECK(fewest.max_regional_distortion > most / 100);
+  CHECK(fewest.max_regional_distortion <= most);
+}
+
 TEST_CASE("The same contours give the same outline, whatever was simplified before") {
   const Case c = drawn(7);
   const Simplified first = simplify_fewest(c.contours, c.options);
@@ -97,4 +137,21 @@ TEST_CASE("The same contours give the same outline, whatever was simplified befo
   for (std::size_t i = 0; i < first.outline.loops().size(); ++i) {
     CHECK(first.outline.loops()[i].points == again.outline.loops()[i].points);
   }
+}
+
+TEST_CASE("A larger tolerance hardly ever gives more edges") {
+  std::size_t before = 0, after = 0;
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    INFO("seed " << seed);
+    Case c = drawn(seed);
+    const std::size_t edges = fewest_edges(c);
+    c.options.tolerance *= 1.5;
+    const std::size_t fewer = fewest_edges(c);
+    before += edges;
+    after += fewer;
+
+    // The search looks from few sticks, and narrowed windows differ: one edge in fifty and one.
+    REQUIRE(fewer <= edges + edges / 50 + 1);
+  }
+  CHECK(after < before);
 }

@@ -181,6 +181,38 @@ TEST_CASE("Sampling by tiles asks the same question as point by point") {
   }
 }
 
+TEST_CASE("A narrowed section answers as the whole one, however often it was narrowed") {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    INFO("seed " << seed);
+    Rng rng(seed);
+    // Segments on whole coordinates, so that ends, boxes and points often meet.
+    const auto whole = [&] { return static_cast<double>(rng.below(9)); };
+    std::vector<OutlineSegment> segments;
+    for (std::uint64_t i = 0, n = 1 + rng.below(40); i < n; ++i) {
+      const double y = whole();
+      segments.push_back({{whole(), y}, {whole(), y + 1 + whole()}, rng.below(2) == 0 ? 1 : -1});
+    }
+    const auto winding = rng.below(2) == 0 ? Winding::kNonzero : Winding::kParity;
+    OutlineSection section(segments, Closedness::kOpen, winding);
+    const Vec2 low{whole(), whole()}, size{whole(), whole()};
+    const Box2 box{low, low + size}, inner{low + 0.25 * size, low + 0.75 * size};
+    const auto outer = section.narrowed(box);
+    const auto twice = outer.section ? outer.section->narrowed(inner) : Section::Narrowed{};
+
+    for (int i = 0; i < 20; ++i) {
+      const Vec2 p{inner.low.x + 0.125 * static_cast<double>(rng.below(5)) * size.x,
+                   inner.low.y + 0.125 * static_cast<double>(rng.below(5)) * size.y};
+      const bool expected = inside(section, p);
+
+      if (outer.section) REQUIRE(inside(*outer.section, p) == expected);
+      if (twice.section) REQUIRE(inside(*twice.section, p) == expected);
+      for (const Cover cover : {outer.cover, twice.cover}) {
+        if (cover != Cover::kMixed) REQUIRE((cover == Cover::kInside) == expected);
+      }
+    }
+  }
+}
+
 TEST_CASE("Where no outline is near, one answer covers the box") {
   const auto solid = MeshModel(box_mesh({10, 10, 10})).placed({});
   const auto section = solid->section(5);
