@@ -6,7 +6,6 @@
 #include <array>
 #include <optional>
 
-#include "drivers/marlin/safe_stop.h"
 #include "host/interrupt.h"
 #include "host/last_words.h"
 
@@ -31,13 +30,13 @@ class Stream {
     while (true) {
       if (Interrupt::requested()) give_up({ErrorCode::kCancelled, "interrupted; heaters are off"});
       feed();
-      if (const auto ok = write(); !ok) return fail(failure_.value_or(ok.error()));
+      if (const auto ok = write(); !ok) return out_of_reach(ok.error());
       take_events();
       const SenderState state = sender_.state();
       if (state == SenderState::kDone) break;
       if (state == SenderState::kHalted || state == SenderState::kLost) return given_up();
-      if (stop_deadline_ && clock_.now() > *stop_deadline_) break;
-      if (const auto ok = read(); !ok) return fail(failure_.value_or(ok.error()));
+      if (stop_deadline_ && clock_.now() > *stop_deadline_) sender_.abandon("it does not stop");
+      if (const auto ok = read(); !ok) return out_of_reach(ok.error());
     }
     if (failure_) return fail(*failure_);
     outcome_.counters = sender_.counters();
@@ -72,12 +71,17 @@ class Stream {
     sender_.stop();
   }
 
-  // The sender says nothing more. A board that was reset has no targets, but one that merely could
-  // not be understood may still be hot.
+  // Nothing of the job goes out any more, but what makes the printer safe does.
   Result<StreamOutcome> given_up() {
-    const auto ignored = transport_.write_all(kSafeStopBytes, kWritePatience);
-    static_cast<void>(ignored);
+    while (sender_.wakeup()) {
+      if (!write() || !read()) break;
+    }
     return fail(failure_.value_or(Error{ErrorCode::kPrinter, sender_.reason()}));
+  }
+
+  Result<StreamOutcome> out_of_reach(Error error) {
+    error.message += "; the printer's heaters may still be on";
+    return fail(failure_.value_or(std::move(error)));
   }
 
   Result<void> write() {

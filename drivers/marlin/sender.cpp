@@ -12,9 +12,7 @@ namespace {
 
 /// For printers without reports of their own.
 constexpr Moment kPollInterval = std::chrono::seconds(10);
-/// Noise may eat an M112 too.
-constexpr int kEmergencyStops = 5;
-constexpr Moment kEmergencyInterval = std::chrono::milliseconds(250);
+constexpr Moment kLastWordsInterval = std::chrono::milliseconds(250);
 
 }  // namespace
 
@@ -35,7 +33,7 @@ std::string Sender::take_output(Moment now) {
 
 std::optional<Moment> Sender::wakeup() const {
   if (over()) {
-    return emergency_stops_left_ > 0 ? std::optional(next_emergency_stop_) : std::nullopt;
+    return last_words_left_ > 0 ? std::optional(next_last_words_) : std::nullopt;
   }
   if (!started_) return Moment::zero();
   if (listening_until_) return listening_until_;
@@ -83,10 +81,14 @@ void Sender::stop() {
 }
 
 void Sender::emergency_stop() {
-  output_.clear();
-  emergency_stops_left_ = kEmergencyStops;
-  next_emergency_stop_ = Moment::zero();
   give_up(SenderState::kHalted, "emergency stop; reset the printer to go on");
+  last_words_ = kEmergencyStop;
+  last_words_left_ = kEmergencyStops;
+  next_last_words_ = Moment::zero();
+}
+
+void Sender::abandon(std::string reason) {
+  give_up(SenderState::kLost, std::move(reason));
 }
 
 std::vector<SenderEvent> Sender::take_events() {
@@ -94,7 +96,11 @@ std::vector<SenderEvent> Sender::take_events() {
 }
 
 void Sender::advance(Moment now) {
-  if (over()) return repeat_emergency_stop(now);
+  if (!over()) step(now);
+  if (over()) say_last_words(now);
+}
+
+void Sender::step(Moment now) {
   if (!started_) {
     started_ = true;
     last_heard_ = now;
@@ -151,11 +157,11 @@ void Sender::transmit(Moment now) {
   ++cursor_;
 }
 
-void Sender::repeat_emergency_stop(Moment now) {
-  if (emergency_stops_left_ == 0 || now < next_emergency_stop_) return;
-  --emergency_stops_left_;
-  next_emergency_stop_ = now + kEmergencyInterval;
-  output_ += kEmergencyStop;
+void Sender::say_last_words(Moment now) {
+  if (last_words_left_ == 0 || now < next_last_words_) return;
+  --last_words_left_;
+  next_last_words_ = now + kLastWordsInterval;
+  output_ += last_words_;
 }
 
 void Sender::tell(SenderEvent event) {
@@ -170,7 +176,13 @@ void Sender::give_up(SenderState state, std::string reason) {
   if (over()) return;
   fate_ = state;
   reason_ = std::move(reason);
+  output_.clear();
   tell(SenderStopped{reason_});
+  if (state != SenderState::kLost) return;
+  // A board that was reset has no targets, but one that merely could not be understood may be hot.
+  last_words_ = (has_emergency_parser_ ? "\nM108" : "") + numbered_safe_stop();
+  last_words_left_ = kSafeStops;
+  next_last_words_ = Moment::zero();
 }
 
 }  // namespace slipstick

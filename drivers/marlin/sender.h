@@ -46,6 +46,9 @@ class Sender {
   /// reset.
   static constexpr int kMaxOddRequests = 4;
   static constexpr int kGreetingAttempts = 10;
+  /// How often a printer that is killed, or given up, is told so: noise may eat any of them.
+  static constexpr int kEmergencyStops = 5;
+  static constexpr int kSafeStops = 10;
   static constexpr std::size_t kMaxEvents = 256;
 
   explicit Sender(SenderOptions options = {});
@@ -76,6 +79,8 @@ class Sender {
   void stop();
   /// Kills the printer at once. The state becomes kHalted.
   void emergency_stop();
+  /// Gives the printer up: the state becomes kLost.
+  void abandon(std::string reason);
 
   /// What happened since the last call, oldest first, at most `kMaxEvents`.
   [[nodiscard]] std::vector<SenderEvent> take_events();
@@ -91,10 +96,11 @@ class Sender {
 
   // sender.cpp: time.
   void advance(Moment now);
+  void step(Moment now);
   void send_next(Moment now);
   [[nodiscard]] bool bind_next(Moment now);
   void transmit(Moment now);
-  void repeat_emergency_stop(Moment now);
+  void say_last_words(Moment now);
   void tell(SenderEvent event);
   void give_up(SenderState state, std::string reason);
   [[nodiscard]] bool over() const { return fate_.has_value(); }
@@ -145,8 +151,9 @@ class Sender {
   SenderCounters counters_;
   std::optional<SenderState> fate_;  ///< kHalted or kLost, for good.
   std::string reason_;
-  int emergency_stops_left_ = 0;
-  Moment next_emergency_stop_{};
+  std::string last_words_;    ///< For a printer that is killed or given up,
+  int last_words_left_ = 0;   ///< this often,
+  Moment next_last_words_{};  ///< from then on.
 
   // Greeting.
   bool greeting_ = true;

@@ -21,7 +21,8 @@ enum class SenderState : std::uint8_t {
   kWaiting,    ///< The printer is at a blocking command.
   kDone,       ///< Every line of the job was surely accepted. Another job may follow.
   kHalted,     ///< The printer has killed itself, or was told to. Only a reset helps.
-  kLost,  ///< The printer was reset, or does not answer, or answers nonsense. Nothing more is sent.
+  kLost,  ///< The printer was reset, or does not answer, or answers nonsense. Nothing of the job is
+          ///< sent any more; for a while the printer is told to switch off its heaters.
 };
 
 /// The printer's name, from M115.

@@ -93,7 +93,7 @@ void Sender::on_silence(Moment now) {
     deadline_ = now + kAliveWindow;
   } else {
     give_up(SenderState::kLost, fmt::format("the printer has not answered since line {}; check the "
-                                            "cable and the power",
+                                            "cable and the power; its heaters may still be on",
                                             accepted_));
   }
 }

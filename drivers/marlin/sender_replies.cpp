@@ -71,7 +71,7 @@ void Sender::on(const LineError& error, Moment now) {
 }
 
 void Sender::on(const Fatal& fatal, Moment /*now*/) {
-  emergency_stops_left_ = 0;
+  last_words_left_ = 0;
   if (over()) return tell(MessageSeen{fatal.text});
   give_up(SenderState::kHalted, "the printer stopped itself: " + fatal.text);
 }

@@ -64,13 +64,14 @@ class MarlinModel {
     std::optional<Moment> next;
     const auto consider = [&](Moment at) { next = next ? std::min(*next, at) : at; };
     if (!due_.empty()) consider(due_.front().at);
-    if (received_.find('\n') != std::string::npos) consider(busy_until_);
-    if (report_interval_ > Moment::zero()) consider(next_report_);
+    if (!halted_ && received_.find('\n') != std::string::npos) consider(busy_until_);
+    if (!halted_ && report_interval_ > Moment::zero()) consider(next_report_);
     return next;
   }
 
   /// A watchdog or a brown-out. Whether its `start` is heard is the wire's business.
   void reset(Moment now) {
+    nozzle_on_ = bed_on_ = false;
     last_line_ = 0;
     received_.clear();
     report_interval_ = Moment::zero();
@@ -79,7 +80,21 @@ class MarlinModel {
     say(now, "start\nPowerUp\nMarlin 2.1.2\n");
   }
 
-  void halt() { halted_ = true; }
+  /// Dead without a word: heaters stay as they are, as nobody looks after them.
+  void halt() {
+    halted_ = true;
+    due_.clear();
+  }
+
+  /// A thermal fault, or M112: heaters off, a last word, silence.
+  void kill(Moment now, std::string_view cause) {
+    due_.clear();
+    say(now, std::string(cause) + "Error:Printer halted. kill() called!\n");
+    nozzle_on_ = bed_on_ = false;
+    halted_ = true;
+  }
+
+  bool heats() const { return nozzle_on_ || bed_on_; }
 
   /// The texts of all numbered lines, in the order in which they were executed.
   const std::vector<std::string>& executed() const { return executed_; }
@@ -106,7 +121,7 @@ class MarlinModel {
       received_.erase(0, end + 1);
       take_line(line, now);
     }
-    while (report_interval_ > Moment::zero() && next_report_ <= now) {
+    while (!halted_ && report_interval_ > Moment::zero() && next_report_ <= now) {
       say(next_report_, " T:201.50 /200.00 B:60.01 /60.00 @:64 B@:12\n");
       next_report_ += report_interval_;
     }
@@ -146,6 +161,7 @@ class MarlinModel {
   }
 
   void take_unnumbered(std::string_view line, Moment now) {
+    if (line == "M112") return kill(now, "");
     const bool command = line.size() > 1 && (line[0] == 'G' || line[0] == 'M' || line[0] == 'T') &&
                          line[1] >= '0' && line[1] <= '9';
     if (command) {
@@ -170,6 +186,8 @@ class MarlinModel {
   }
 
   void execute(std::string_view text, Moment now) {
+    if (text.starts_with("M104 S")) nozzle_on_ = text != "M104 S0";
+    if (text.starts_with("M140 S")) bed_on_ = text != "M140 S0";
     if (text == "M105") return say(now, "ok T:201.50 /200.00 B:60.01 /60.00 @:64 B@:12\n");
     if (text == "M115") {
       say(now,
@@ -206,60 +224,8 @@ class MarlinModel {
   Moment report_interval_{};
   Moment next_report_{};
   bool halted_ = false;
-};
-
-/// A wire that damages bytes: each, with the given probability, is changed, lost, doubled or
-/// followed by another; whole oks get lost on their own.
-class FaultyWire {
- public:
-  FaultyWire(double damage, double lost_oks, std::uint64_t seed)
-      : damage_(damage), lost_oks_(lost_oks), rng_(seed) {}
-
-  std::string pass(std::string_view bytes) {
-    std::string passed;
-    for (const char byte : without_some_oks(bytes)) {
-      if (damage_ == 0 || rng_.unit() >= damage_) {
-        passed += byte;
-        continue;
-      }
-      ++faults_;
-      switch (rng_.below(5)) {
-        case 0:
-          passed += static_cast<char>(static_cast<unsigned char>(byte) ^ (1U << rng_.below(8)));
-          break;
-        case 1:
-          passed += static_cast<char>(rng_.below(256));
-          break;
-        case 2:
-          passed.append(2, byte);
-          break;
-        case 3:
-          passed += byte;
-          passed += static_cast<char>(rng_.below(256));
-          break;
-        default:
-          break;
-      }
-    }
-    return passed;
-  }
-
-  std::uint64_t faults() const { return faults_; }
-
- private:
-  std::string without_some_oks(std::string_view bytes) {
-    std::string kept(bytes);
-    if (lost_oks_ > 0 && kept.ends_with("ok\n") && rng_.unit() < lost_oks_) {
-      kept.resize(kept.size() - 3);
-      ++faults_;
-    }
-    return kept;
-  }
-
-  double damage_;
-  double lost_oks_;
-  Rng rng_;
-  std::uint64_t faults_ = 0;
+  bool nozzle_on_ = false;
+  bool bed_on_ = false;
 };
 
 }  // namespace slipstick
