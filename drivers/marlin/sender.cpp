@@ -12,11 +12,14 @@ namespace {
 
 /// For printers without reports of their own.
 constexpr Moment kPollInterval = std::chrono::seconds(10);
+/// A firmware that does not report positions is not asked for ever.
+constexpr int kPositionRequests = 10;
 constexpr Moment kLastWordsInterval = std::chrono::milliseconds(250);
 
 }  // namespace
 
 Sender::Sender(SenderOptions options) : options_(options) {
+  SLIPSTICK_CHECK(options.first_number >= 0);
   SLIPSTICK_CHECK(options.report_seconds >= 1 && options.report_seconds <= 60);
 }
 
@@ -121,6 +124,7 @@ void Sender::step(Moment now) {
 
 void Sender::send_next(Moment now) {
   if (closing_ && accepted_ >= *closing_) done_ = true;
+  if (doubt_ && cursor_ == doubt_->line && !ask_about_doubt()) return;
   if (cursor_ > lines_.highest() && !bind_next(now)) return;
   transmit(now);
 }
@@ -134,6 +138,9 @@ bool Sender::bind_next(Moment now) {
   } else if (!reports_ && now >= next_poll_) {
     next_poll_ = now + kPollInterval;
     lines_.bind("M105", LineOwner::kSender);
+  } else if (queued_ && lines_.lost() && position_requests_ < kPositionRequests) {
+    ++position_requests_;
+    lines_.bind("M114", LineOwner::kSender);
   } else if (queued_) {
     lines_.bind(queued_->text(), LineOwner::kJob);
     queued_.reset();
@@ -149,7 +156,10 @@ bool Sender::bind_next(Moment now) {
 void Sender::transmit(Moment now) {
   const std::string& text = lines_.at(cursor_).text;
   output_ += frame(cursor_, text);
-  if (probes_ == 0) patience_ = patience_for(text);
+  if (probes_ == 0) {
+    patience_ = patience_for(text);
+    loose_ends_ = 0;
+  }
   outstanding_ = cursor_;
   odd_text_ = false;
   sent_at_ = now;

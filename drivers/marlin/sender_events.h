@@ -75,6 +75,7 @@ struct SenderCounters {
   std::uint64_t lines_acknowledged =
       0;                             ///< Lines of the job the printer is believed to have taken.
   std::uint64_t resends = 0;         ///< Lines sent again, of any kind.
+  std::uint64_t ghosts = 0;          ///< Lines executed without their number, not sent again.
   std::uint64_t probes = 0;          ///< Questions after a silence.
   std::uint64_t surplus_oks = 0;     ///< `ok`s that answered nothing.
   std::uint64_t unreadable = 0;      ///< Replies nobody understood, most of them damaged.

@@ -16,7 +16,8 @@ inline std::vector<std::string> job_lines(const std::vector<std::string>& execut
   std::vector<std::string> kept;
   for (const std::string& line : executed) {
     const bool safe_end = std::ranges::find(kSafeStopLines, line) != kSafeStopLines.end();
-    if (line != "M105" && line != "M115" && !line.starts_with("M155") && !safe_end) {
+    if (line != "M105" && line != "M114" && line != "M115" && !line.starts_with("M155") &&
+        !safe_end) {
       kept.push_back(line);
     }
   }

@@ -64,6 +64,7 @@ inline VoyagePlan draw_plan(std::uint64_t seed) {
   plan.job = draw_job(rng);
   plan.options.printer.swallows_duplicates = rng.below(3) != 0;
   plan.options.printer.ok_after_resend = rng.below(4) != 0;
+  plan.options.printer.undetected = Undetected::kObeyGhosts;
   plan.options.down = draw_wire(rng);
   plan.options.up = draw_wire(rng);
   if (rng.below(2) == 0) plan.options.up.lost_oks = 0.02;
@@ -83,12 +84,21 @@ class PlannedVoyage {
 
   SenderState run() {
     const SenderState end = voyage_.print(plan_.job, [this] { meanwhile(); });
+    until_end_ = voyage_.printer().executed().size();
     voyage_.come_to_rest();
     return end;
   }
 
   Voyage& voyage() { return voyage_; }
-  std::vector<std::string> executed() { return job_lines(voyage_.printer().executed()); }
+  /// Of the job. After its end the wire may still make an odd heater command of the safe end, which
+  /// is given ten times for that reason; moves it may not.
+  std::vector<std::string> executed() {
+    std::vector<std::string> lines = voyage_.printer().executed();
+    const auto end = lines.begin() + static_cast<std::ptrdiff_t>(until_end_);
+    const auto of_safe_end = [](const std::string& line) { return line.starts_with('M'); };
+    lines.erase(std::remove_if(end, lines.end(), of_safe_end), lines.end());
+    return job_lines(lines);
+  }
 
   /// Whether nothing stands in the way of the whole print.
   bool can_finish() const {
@@ -129,6 +139,7 @@ class PlannedVoyage {
   const VoyagePlan& plan_;
   Voyage voyage_;
   std::optional<Moment> replug_at_;
+  std::size_t until_end_ = 0;
   bool happened_ = false;
 };
 
