@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <thread>
 
-#include "drivers/marlin/safe_stop.h"
 #include "host/interrupt.h"
 #include "host/last_words.h"
 
@@ -19,25 +19,33 @@ using std::chrono::seconds;
 
 constexpr milliseconds kWaitMax{250};   // how late an interrupt may be noticed
 constexpr milliseconds kHungryWait{5};  // how often to look for a line that is being made
+constexpr milliseconds kPausedNap{20};  // in virtual time, which would fly while nothing is sent
 constexpr seconds kWritePatience{10};
 constexpr seconds kStopPatience{30};  // for the safe end after a failure
 
 class Stream {
  public:
-  Stream(Transport& transport, const Clock& clock, LineSource& source, Pace pace)
-      : transport_(transport), clock_(clock), source_(source), pace_(pace), began_(clock.now()) {}
+  Stream(Transport& transport, const Clock& clock, LineSource& source, Pace pace,
+         const PrintControl& control)
+      : transport_(transport),
+        clock_(clock),
+        source_(source),
+        pace_(pace),
+        control_(control),
+        began_(clock.now()) {}
 
   Result<StreamOutcome> run() {
     while (true) {
-      if (Interrupt::requested()) give_up({ErrorCode::kCancelled, "interrupted; heaters are off"});
+      heed_requests();
       feed();
-      if (const auto ok = write(); !ok) return fail(failure_.value_or(ok.error()));
+      if (const auto ok = write(); !ok) return out_of_reach(ok.error());
       take_events();
       const SenderState state = sender_.state();
+      control_.tell(state, sender_.counters());
       if (state == SenderState::kDone) break;
       if (state == SenderState::kHalted || state == SenderState::kLost) return given_up();
-      if (stop_deadline_ && clock_.now() > *stop_deadline_) break;
-      if (const auto ok = read(); !ok) return fail(failure_.value_or(ok.error()));
+      if (stop_deadline_ && clock_.now() > *stop_deadline_) sender_.abandon("it does not stop");
+      if (const auto ok = read(); !ok) return out_of_reach(ok.error());
     }
     if (failure_) return fail(*failure_);
     outcome_.counters = sender_.counters();
@@ -46,8 +54,24 @@ class Stream {
   }
 
  private:
+  void heed_requests() {
+    const PrintControl::Wish wish = control_.wish();
+    if (wish == PrintControl::Wish::kEmergencyStop && !killed_) {
+      killed_ = true;
+      give_up({ErrorCode::kCancelled, "emergency stop; reset the printer"});
+      sender_.emergency_stop();
+    } else if (wish == PrintControl::Wish::kCancel) {
+      give_up({ErrorCode::kCancelled, "cancelled; heaters are off"});
+    }
+    if (Interrupt::requested()) give_up({ErrorCode::kCancelled, "interrupted; heaters are off"});
+  }
+
   void feed() {
     hungry_ = false;
+    if (control_.wish() == PrintControl::Wish::kPause && !ended_) {
+      if (pace_ == Pace::kVirtual) std::this_thread::sleep_for(kPausedNap);
+      return;
+    }
     while (!ended_ && sender_.wants_line()) {
       if (pace_ == Pace::kRealTime && !source_.ready()) {
         hungry_ = true;
@@ -72,12 +96,17 @@ class Stream {
     sender_.stop();
   }
 
-  // The sender says nothing more. A board that was reset has no targets, but one that merely could
-  // not be understood may still be hot.
+  // Nothing of the job goes out any more, but what makes the printer safe does.
   Result<StreamOutcome> given_up() {
-    const auto ignored = transport_.write_all(kSafeStopBytes, kWritePatience);
-    static_cast<void>(ignored);
+    while (sender_.wakeup()) {
+      if (!write() || !read()) break;
+    }
     return fail(failure_.value_or(Error{ErrorCode::kPrinter, sender_.reason()}));
+  }
+
+  Result<StreamOutcome> out_of_reach(Error error) {
+    error.message += "; the printer's heaters may still be on";
+    return fail(failure_.value_or(std::move(error)));
   }
 
   Result<void> write() {
@@ -106,6 +135,7 @@ class Stream {
 
   void take_events() {
     for (const SenderEvent& event : sender_.take_events()) {
+      control_.tell(event);
       if (const auto* firmware = std::get_if<FirmwareSeen>(&event)) {
         outcome_.firmware = firmware->name;
       } else if (const auto* message = std::get_if<MessageSeen>(&event)) {
@@ -120,12 +150,14 @@ class Stream {
   const Clock& clock_;
   LineSource& source_;
   const Pace pace_;
+  const PrintControl& control_;
   const Moment began_;
   Sender sender_;
   StreamOutcome outcome_;
   std::optional<Error> failure_;
   std::optional<Moment> stop_deadline_;
   bool ended_ = false;
+  bool killed_ = false;
   bool hungry_ = false;
   std::array<char, 4096> buffer_;
 };
@@ -134,8 +166,13 @@ class Stream {
 
 Result<StreamOutcome> stream_job(Transport& transport, const Clock& clock, LineSource& source,
                                  Pace pace) {
+  return stream_job(transport, clock, source, pace, PrintControl());
+}
+
+Result<StreamOutcome> stream_job(Transport& transport, const Clock& clock, LineSource& source,
+                                 Pace pace, const PrintControl& control) {
   const LastWords last_words(transport.descriptor());
-  return Stream(transport, clock, source, pace).run();
+  return Stream(transport, clock, source, pace, control).run();
 }
 
 }  // namespace slipstick

@@ -6,6 +6,7 @@
 #include "drivers/marlin/sender.h"
 #include "drivers/transport.h"
 #include "host/line_source.h"
+#include "host/print_control.h"
 
 namespace slipstick {
 
@@ -31,5 +32,10 @@ struct StreamOutcome {
 ///   `transport` failed with.
 [[nodiscard]] Result<StreamOutcome> stream_job(Transport& transport, const Clock& clock,
                                                LineSource& source, Pace pace);
+
+/// The same, and does what `control` is asked for within a quarter of a second of the link's time.
+[[nodiscard]] Result<StreamOutcome> stream_job(Transport& transport, const Clock& clock,
+                                               LineSource& source, Pace pace,
+                                               const PrintControl& control);
 
 }  // namespace slipstick

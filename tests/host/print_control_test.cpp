@@ -1,0 +1,120 @@
+// What is asked of a print under way, on the embedded printer in virtual time.
+#include <array>
+#include <catch2/catch.hpp>
+
+#include "host/stream_job.h"
+#include "sim/sim_transport.h"
+
+using namespace slipstick;
+using Catch::Contains;
+
+namespace {
+
+// Moves without end, or so many; calls `at` before each.
+class Moves final : public LineSource {
+ public:
+  Moves(int count, std::function<void(int)> at) : count_(count), at_(std::move(at)) {}
+
+  Result<std::optional<Line>> next() override {
+    if (given_ == count_) return std::optional<Line>();
+    at_(given_);
+    ++given_;
+    if (given_ == 1) return normalise("M104 S205");
+    return normalise(given_ % 2 == 0 ? "G1 X1 F6000" : "G1 X2 F6000");
+  }
+  bool ready() const override { return true; }
+  int given() const { return given_; }
+
+ private:
+  int count_;
+  std::function<void(int)> at_;
+  int given_ = 0;
+};
+
+double nozzle_target(const SimTransport& sim) {
+  return sim.printer().machine().nozzle.target();
+}
+
+}  // namespace
+
+TEST_CASE("A cancelled print ends with the heaters off and sends no further line") {
+  PrintControl control;
+  SimTransport sim(*sim_options({}));
+  Moves moves(100'000, [&](int line) {
+    if (line == 50) control.cancel();
+  });
+
+  const auto outcome = stream_job(sim, sim.clock(), moves, Pace::kVirtual, control);
+
+  REQUIRE(!outcome);
+  CHECK(outcome.error().code == ErrorCode::kCancelled);
+  CHECK(moves.given() <= 52);
+  CHECK(nozzle_target(sim) == 0);
+}
+
+TEST_CASE("A paused print sends nothing until it is resumed, and then everything") {
+  int turns_paused = 0;
+  int given_while_paused = 0;
+  Moves moves(60, [](int) {});
+  PrintControl* handle = nullptr;
+  PrintControl control({{}, [&](SenderState, const SenderCounters& counters) {
+                          if (counters.lines_sent == 30 && turns_paused == 0) handle->pause();
+                          if (handle->wish() != PrintControl::Wish::kPause) return;
+                          if (turns_paused == 0) given_while_paused = moves.given();
+                          CHECK(moves.given() == given_while_paused);
+                          if (++turns_paused == 6) handle->resume();
+                        }});
+  handle = &control;
+  SimTransport sim(*sim_options({}));
+
+  const auto outcome = stream_job(sim, sim.clock(), moves, Pace::kVirtual, control);
+
+  REQUIRE(outcome);
+  CHECK(turns_paused == 6);
+  CHECK(outcome->counters.lines_acknowledged == 60);
+}
+
+TEST_CASE("An emergency stop kills the printer at once") {
+  PrintControl control;
+  SimTransport sim(*sim_options({}));
+  Moves moves(100'000, [&](int line) {
+    if (line == 50) control.emergency_stop();
+  });
+
+  const auto outcome = stream_job(sim, sim.clock(), moves, Pace::kVirtual, control);
+
+  REQUIRE(!outcome);
+  CHECK_THAT(outcome.error().message, Contains("emergency stop"));
+  std::array<char, 256> answer;
+  REQUIRE(sim.read_some(answer, std::chrono::seconds(1)));
+  CHECK(sim.printer().machine().halted);
+  CHECK(nozzle_target(sim) == 0);
+}
+
+TEST_CASE("A wish never takes a more urgent one back") {
+  PrintControl control;
+
+  control.cancel();
+
+  CHECK(!control.pause());
+  CHECK(!control.resume());
+  CHECK(control.wish() == PrintControl::Wish::kCancel);
+  control.emergency_stop();
+  control.cancel();
+  CHECK(control.wish() == PrintControl::Wish::kEmergencyStop);
+}
+
+TEST_CASE("A listener hears temperatures and progress") {
+  bool temperatures = false;
+  std::uint64_t lines = 0;
+  const PrintControl control(
+      {[&](const SenderEvent& e) { temperatures |= std::holds_alternative<TemperaturesSeen>(e); },
+       [&](SenderState, const SenderCounters& counters) { lines = counters.lines_acknowledged; }});
+  SimTransport sim(*sim_options({}));
+  Moves moves(200, [](int) {});
+
+  REQUIRE(stream_job(sim, sim.clock(), moves, Pace::kVirtual, control));
+
+  CHECK(temperatures);
+  CHECK(lines == 200);
+}
