@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/base/number_text.h"
 #include "host/atomic_file.h"
+#include "host/outputs/contours_text.h"
 
 namespace slipstick {
 namespace {
@@ -26,42 +26,12 @@ std::string header(const SinkContext& context) {
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-void append_point(std::string& text, Vec2 p) {
-  text += '[';
-  append_exact(text, p.x);
-  text += ',';
-  append_exact(text, p.y);
-  text += ']';
-}
-
-void append_loop(std::string& text, const Outline& outline, const Outline::Loop& loop) {
-  text += "{\"depth\":" + std::to_string(loop.depth) + ",\"points\":[";
-  for (std::size_t i = 0; i < loop.points.size(); ++i) {
-    if (i > 0) text += ',';
-    append_point(text, outline.mm(loop.points[i]));
-  }
-  text += "]}";
-}
-
-std::string line(const SlicedLayer& layer) {
-  std::string text = "{\"layer\":" + std::to_string(layer.index) + ",\"z\":";
-  append_exact(text, layer.middle);
-  text += ",\"loops\":[";
-  const Outline& outline = layer.contours.outline;
-  for (std::size_t i = 0; i < outline.loops().size(); ++i) {
-    if (i > 0) text += ',';
-    append_loop(text, outline, outline.loops()[i]);
-  }
-  text += "]}\n";
-  return text;
-}
-
 class ContoursSink final : public LayerSink {
  public:
   explicit ContoursSink(AtomicFile file) : file_(std::move(file)) {}
 
   Result<void> write(const std::string& text) { return file_.write(text); }
-  Result<void> add(const SlicedLayer& layer) override { return file_.write(line(layer)); }
+  Result<void> add(const SlicedLayer& layer) override { return file_.write(contours_line(layer)); }
   Result<void> finish() override { return file_.commit(); }
 
  private:

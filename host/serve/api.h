@@ -1,0 +1,42 @@
+#pragma once
+
+#include "host/serve/routes.h"
+
+namespace slipstick {
+
+/// \file
+/// The handlers of /api/v1; docs/openapi.json describes each.
+
+// api_files.cpp
+[[nodiscard]] HttpResponse get_files(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse get_file(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse put_file(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse delete_file(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse get_layers(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse get_layer(const HttpRequest& request, Services& services);
+
+// api_jobs.cpp
+[[nodiscard]] HttpResponse get_jobs(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse post_job(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse get_job(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse cancel_job(const HttpRequest& request, Services& services);
+
+enum class QueuePlace : std::uint8_t {
+  kLast,
+  kNow,  ///< First, and if nothing is being printed whoever asks says that the bed is clear.
+};
+/// Adds a job whose spec is known to be good.
+[[nodiscard]] Result<StoredJob> queue_job(const StoredFile& file, std::string_view spec,
+                                          QueuePlace place, Services& services);
+
+// api_printer.cpp
+[[nodiscard]] HttpResponse get_printer(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse pause_printer(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse resume_printer(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse stop_printer(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse clear_bed(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse get_settings(const HttpRequest& request, Services& services);
+/// What a stream of events begins with.
+[[nodiscard]] HttpResponse get_events(const HttpRequest& request, Services& services);
+
+}  // namespace slipstick

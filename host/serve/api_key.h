@@ -1,0 +1,14 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "core/base/result.h"
+
+namespace slipstick {
+
+/// The key in `path`, made by chance (256 bits, as hexadecimal digits) if there is none yet;
+/// readable by its owner only. \return kUnavailable if it can be neither read nor made.
+[[nodiscard]] Result<std::string> load_or_make_key(const std::filesystem::path& path);
+
+}  // namespace slipstick

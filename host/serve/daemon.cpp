@@ -1,0 +1,129 @@
+#include "host/serve/daemon.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+
+#include <atomic>
+
+#include "drivers/transport_address.h"
+#include "drivers/unique_fd.h"
+#include "host/serve/access.h"
+#include "host/serve/api_key.h"
+#include "host/serve/http_server.h"
+
+namespace slipstick {
+namespace {
+
+Result<UniqueFd> lock_folder(const std::filesystem::path& folder) {
+  UniqueFd lock(::open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
+  if (lock.valid() && ::flock(lock.get(), LOCK_EX | LOCK_NB) == 0) return lock;
+  return fail(
+      ErrorCode::kUnavailable,
+      fmt::format("{} is in use by another slipstick, or cannot be written", folder.string()));
+}
+
+// The same mistakes as at the first job, but before there is one.
+Result<void> check(const Daemon::Options& options) {
+  const auto address = parse_transport_address(options.port);
+  if (!address) return fail(address.error());
+  const auto spec = job_spec_from_text("{}", options.defaults);
+  if (!spec) return fail(spec.error());
+  return {};
+}
+
+}  // namespace
+
+class Daemon::Implementation {
+ public:
+  Implementation(UniqueFd lock, const Options& options)
+      : lock_(std::move(lock)), options_(options), events_([this] { server_->wake(); }) {}
+
+  Result<void> start() {
+    auto server = HttpServer::listen(options_.listen, site());
+    if (!server) return fail(server.error());
+    server_ = std::move(*server);
+    if (const auto ok = make_rules(); !ok) return ok;
+    auto worker =
+        PrinterWorker::start({options_.data, options_.port, options_.defaults}, board_, events_);
+    if (!worker) return fail(worker.error());
+    worker_ = std::move(*worker);
+    for (auto* services : {&quick_, &slow_}) {
+      auto store = Store::open(options_.data);
+      if (!store) return fail(store.error());
+      services->emplace(Services{
+          std::move(*store), {}, options_.defaults, options_.port, *worker_, board_, events_});
+    }
+    return {};
+  }
+
+  void run(const std::function<bool()>& goes_on) { server_->run(events_, goes_on); }
+  [[nodiscard]] std::string url() const { return "http://" + server_->address(); }
+  [[nodiscard]] const std::string& key() const { return key_; }
+
+ private:
+  HttpSite site() {
+    return {[this](const HttpRequest& head) { return admit(head); },
+            [this](const Route& route, const HttpRequest& request) {
+              return route.handle(request, route.kind == RouteKind::kSlow ? *slow_ : *quick_);
+            },
+            [this] { return quick_->store.incoming(fmt::format("{}", ++uploads_)); }};
+  }
+
+  Result<void> make_rules() {
+    if (!server_->is_loopback()) {
+      auto key = load_or_make_key(options_.data / "api_key");
+      if (!key) return fail(key.error());
+      key_ = std::move(*key);
+    }
+    rules_.emplace(key_);
+    return {};
+  }
+
+  Found admit(const HttpRequest& head) const {
+    if (auto refusal = rules_->check(head)) return {nullptr, {}, std::move(*refusal)};
+    return find_route(head.method, head.target);
+  }
+
+  const UniqueFd lock_;
+  const Options options_;
+  std::string key_;
+  std::optional<AccessRules> rules_;
+  StatusBoard board_;
+  EventLog events_;
+  std::unique_ptr<HttpServer> server_;
+  std::optional<Services> quick_;
+  std::optional<Services> slow_;
+  std::int64_t uploads_ = 0;
+  std::unique_ptr<PrinterWorker> worker_;  // ends first: it publishes events
+};
+
+Daemon::Daemon(std::unique_ptr<Implementation> implementation)
+    : implementation_(std::move(implementation)) {}
+
+Daemon::~Daemon() = default;
+
+Result<std::unique_ptr<Daemon>> Daemon::start(const Options& options) {
+  if (const auto ok = check(options); !ok) return fail(ok.error());
+  std::error_code error;
+  std::filesystem::create_directories(options.data, error);
+  auto lock = lock_folder(options.data);
+  if (!lock) return fail(lock.error());
+  auto implementation = std::make_unique<Implementation>(std::move(*lock), options);
+  if (const auto ok = implementation->start(); !ok) return fail(ok.error());
+  return std::unique_ptr<Daemon>(new Daemon(std::move(implementation)));
+}
+
+std::string Daemon::url() const {
+  return implementation_->url();
+}
+
+const std::string& Daemon::key() const {
+  return implementation_->key();
+}
+
+void Daemon::run(const std::function<bool()>& goes_on) {
+  implementation_->run(goes_on);
+}
+
+}  // namespace slipstick

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "host/serve/job_spec.h"
+
+namespace slipstick {
+
+/// The daemon: a printer, its queue, and the HTTP server through which both are reached.
+class Daemon {
+ public:
+  struct Options {
+    std::filesystem::path data;
+    std::string listen = "127.0.0.1:5000";
+    std::string port;  ///< Of the printer.
+    JobDefaults defaults;
+  };
+
+  /// Opens everything; from then on requests are let wait. Only one daemon a data folder.
+  /// \return kInput for an address that is none; kUnavailable if something cannot be had.
+  [[nodiscard]] static Result<std::unique_ptr<Daemon>> start(const Options& options);
+  /// Ends a print under way with the heaters off.
+  ~Daemon();
+
+  /// "http://127.0.0.1:5000".
+  [[nodiscard]] std::string url() const;
+  /// What clients must show in `X-Api-Key`; empty if nothing.
+  [[nodiscard]] const std::string& key() const;
+
+  /// Answers requests until `goes_on`, asked ten times a second, says no.
+  void run(const std::function<bool()>& goes_on);
+
+ private:
+  class Implementation;
+  explicit Daemon(std::unique_ptr<Implementation> implementation);
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace slipstick

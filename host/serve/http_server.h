@@ -1,0 +1,64 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "host/serve/event_log.h"
+#include "host/serve/routes.h"
+
+namespace slipstick {
+
+/// What the server asks about each request.
+struct HttpSite {
+  /// Once the head is there, before any of the body is read: where it leads, or the refusal.
+  std::function<Found(const HttpRequest& head)> admit;
+  /// The answer. For slow routes on a thread of their own, otherwise on the server's.
+  std::function<HttpResponse(const Route& route, const HttpRequest& request)> answer;
+  /// Where the next upload may be written.
+  std::function<std::filesystem::path()> upload_path;
+};
+
+/// Bounds of what a connection may ask for, and of the time each part may take.
+struct HttpLimits {
+  static constexpr int kConnections = 128;
+  static constexpr std::uint32_t kHead = 16 << 10;
+  static constexpr std::size_t kText = 1 << 20;
+  static constexpr std::uint64_t kUpload = std::uint64_t{1} << 30;
+  static constexpr std::chrono::seconds kHeadPatience{15};  ///< Also between requests.
+  static constexpr std::chrono::seconds kBodyPatience{30};  ///< For each 64 KiB of it.
+  static constexpr std::chrono::seconds kWritePatience{30};
+};
+
+/// Speaks HTTP/1.1 on one address, on the thread that calls `run` and one more for slow routes.
+class HttpServer {
+ public:
+  static constexpr std::chrono::milliseconds kTick{100};
+
+  /// \param address "127.0.0.1:5000", "[::1]:5000"; port 0 takes any.
+  /// \return kInput for an address that is none, kUnavailable if it cannot be had.
+  [[nodiscard]] static Result<std::unique_ptr<HttpServer>> listen(const std::string& address,
+                                                                  HttpSite site);
+  ~HttpServer();
+
+  /// "127.0.0.1:43211".
+  [[nodiscard]] std::string address() const;
+  [[nodiscard]] bool is_loopback() const;
+
+  /// Answers until `goes_on`, asked ten times a second, says no. Once. `events` are what event
+  /// streams send.
+  void run(const EventLog& events, const std::function<bool()>& goes_on);
+
+  /// There are new events. Any thread, also before `run`.
+  void wake();
+
+ private:
+  class Implementation;
+  explicit HttpServer(std::unique_ptr<Implementation> implementation);
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace slipstick

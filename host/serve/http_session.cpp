@@ -1,0 +1,278 @@
+// Requests and responses on a connection, by Beast.
+#include "host/serve/http_session.h"
+
+#include <fmt/format.h>
+
+#include <boost/asio/post.hpp>
+#include <boost/asio/write.hpp>
+#include <boost/beast/core/string.hpp>
+#include <boost/beast/http/read.hpp>
+#include <boost/beast/http/write.hpp>
+#include <sstream>
+
+namespace slipstick {
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = boost::beast::http;
+using tcp = asio::ip::tcp;
+
+constexpr std::chrono::seconds kLingerPatience{2};
+constexpr int kLingerReads = 64;
+constexpr std::chrono::seconds kHeartbeat{15};
+
+HttpMethod method_of(http::verb verb) {
+  switch (verb) {
+    case http::verb::get:
+      return HttpMethod::kGet;
+    case http::verb::post:
+      return HttpMethod::kPost;
+    case http::verb::put:
+      return HttpMethod::kPut;
+    case http::verb::delete_:
+      return HttpMethod::kDelete;
+    default:
+      return HttpMethod::kOther;
+  }
+}
+
+std::string lower(beast::string_view text) {
+  std::string out(text);
+  for (char& c : out) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return out;
+}
+
+std::string event_text(const EventLog::Event& event) {
+  return fmt::format("id: {}\nevent: {}\ndata: {}\n\n", event.number, event.type, event.data);
+}
+
+// What every response carries: nothing here is to be guessed at, framed or kept.
+template <typename Fields>
+void add_common_headers(Fields& fields) {
+  fields.set("X-Content-Type-Options", "nosniff");
+  fields.set("X-Frame-Options", "DENY");
+  fields.set("Referrer-Policy", "no-referrer");
+  fields.set(http::field::cache_control, "no-store");
+}
+
+}  // namespace
+
+HttpSession::HttpSession(HttpShared& server, tcp::socket socket)
+    : server_(server), stream_(std::move(socket)) {
+  ++server_.connections;
+}
+HttpSession::~HttpSession() {
+  --server_.connections;
+  server_.streams.erase(this);
+}
+
+void HttpSession::read_head() {
+  parser_.emplace();
+  parser_->header_limit(HttpLimits::kHead);
+  parser_->body_limit(HttpLimits::kUpload);
+  request_ = {};
+  upload_.reset();
+  stream_.expires_after(HttpLimits::kHeadPatience);
+  http::async_read_header(
+      stream_, buffer_, *parser_,
+      [self = shared_from_this()](ErrorValue error, std::size_t) { self->on_head(error); });
+}
+
+// New events, if this is a stream that is not writing yet.
+void HttpSession::flush() {
+  if (writing_) return;
+  const EventLog::News news = server_.events->since(seen_);
+  const auto now = std::chrono::steady_clock::now();
+  std::string text = news.missed ? ": some events were missed\n\n" : "";
+  for (const EventLog::Event& event : news.events) text += event_text(event);
+  if (!news.events.empty()) seen_ = news.events.back().number;
+  if (text.empty() && now - written_ > kHeartbeat) text = ": still here\n\n";
+  if (!text.empty()) write_stream(std::move(text));
+}
+
+void HttpSession::on_head(ErrorValue error) {
+  if (error == http::error::end_of_stream) return close();
+  if (error == http::error::header_limit) return refuse(error_response(431, "head too large"));
+  if (error == http::error::body_limit) return refuse(error_response(413, "more than 1 GiB"));
+  if (error && error.category() == http::make_error_code(http::error::bad_method).category()) {
+    return refuse(error_response(400, "not an HTTP/1.1 request"));
+  }
+  if (error) return;  // gone, or too slow
+  take_head();
+  auto target = parse_http_target(std::string(parser_->get().target()));
+  if (!target) return refuse(error_response(400, "not an address"));
+  request_.target = std::move(*target);
+  Found found = server_.site.admit(request_);
+  if (found.route == nullptr && parser_->is_done()) {
+    keep_ = parser_->get().keep_alive();
+    return send(std::move(found.refusal));
+  }
+  if (found.route == nullptr) return refuse(std::move(found.refusal));
+  route_ = found.route;
+  request_.parameters = std::move(found.parameters);
+  if (route_->kind == RouteKind::kEvents) return begin_stream();
+  begin_body();
+}
+
+void HttpSession::take_head() {
+  const auto& head = parser_->get();
+  request_.method = method_of(head.method());
+  for (const auto& field : head) {
+    request_.headers.emplace(lower(field.name_string()), std::string(field.value()));
+  }
+}
+
+void HttpSession::begin_body() {
+  if (route_->body != RouteBody::kText) {
+    std::optional<std::string> boundary;
+    if (route_->body == RouteBody::kForm) {
+      boundary = MultipartParser::boundary_of(request_.header("content-type"));
+      if (!boundary) return refuse(error_response(415, "the body must be multipart/form-data"));
+    }
+    auto upload = UploadBody::create(server_.site.upload_path(), boundary);
+    if (!upload) return refuse(error_response(upload.error()));
+    upload_.emplace(std::move(*upload));
+  }
+  if (!beast::iequals(request_.header("expect"), "100-continue")) return read_body();
+  continue_ = http::response<http::empty_body>(http::status::continue_, 11);
+  stream_.expires_after(HttpLimits::kWritePatience);
+  http::async_write(stream_, continue_, [self = shared_from_this()](ErrorValue error, std::size_t) {
+    if (!error) self->read_body();
+  });
+}
+
+void HttpSession::read_body() {
+  if (parser_->is_done()) return answer();
+  parser_->get().body().data = chunk_.data();
+  parser_->get().body().size = chunk_.size();
+  stream_.expires_after(HttpLimits::kBodyPatience);
+  http::async_read(
+      stream_, buffer_, *parser_,
+      [self = shared_from_this()](ErrorValue error, std::size_t) { self->on_body(error); });
+}
+
+void HttpSession::on_body(ErrorValue error) {
+  if (error == http::error::body_limit) return refuse(error_response(413, "more than 1 GiB"));
+  if (error && error != http::error::need_buffer) return;  // gone, or too slow
+  const std::string_view bytes(chunk_.data(), chunk_.size() - parser_->get().body().size);
+  if (upload_) {
+    if (const auto ok = upload_->write(bytes); !ok) return refuse(error_response(ok.error()));
+  } else {
+    if (request_.body.size() + bytes.size() > HttpLimits::kText) {
+      return refuse(error_response(413, "more than 1 MiB"));
+    }
+    request_.body += bytes;
+  }
+  read_body();
+}
+
+void HttpSession::answer() {
+  if (upload_) {
+    auto upload = upload_->finish();
+    if (!upload) return refuse(error_response(upload.error()));
+    request_.upload = std::move(*upload);
+  }
+  keep_ = parser_->get().keep_alive();
+  if (route_->kind == RouteKind::kQuick) return send(server_.site.answer(*route_, request_));
+  stream_.expires_never();
+  asio::post(server_.slow, [self = shared_from_this()] {
+    auto response = self->server_.site.answer(*self->route_, self->request_);
+    // The session is let go on the server's thread, whatever happens.
+    asio::post(self->server_.io, [self, response = std::move(response)]() mutable {
+      self->send(std::move(response));
+    });
+  });
+}
+
+// An answer before the request was read: the connection cannot be used for another.
+void HttpSession::refuse(HttpResponse response) {
+  keep_ = false;
+  linger_ = true;
+  send(std::move(response));
+}
+
+void HttpSession::send(HttpResponse response) {
+  response_ = {};
+  response_.result(response.status);
+  response_.version(11);
+  add_common_headers(response_);
+  if (!response.type.empty()) response_.set(http::field::content_type, response.type);
+  for (const auto& [name, value] : response.headers) response_.set(name, value);
+  response_.body() = std::move(response.body);
+  response_.keep_alive(keep_);
+  response_.prepare_payload();
+  stream_.expires_after(HttpLimits::kWritePatience);
+  http::async_write(stream_, response_, [self = shared_from_this()](ErrorValue error, std::size_t) {
+    if (!error) self->sent();
+  });
+}
+
+void HttpSession::sent() {
+  if (keep_) return read_head();
+  close();
+  if (linger_) linger(kLingerReads);
+}
+
+// Reads what the client still sends, so that it gets to read why it was refused.
+void HttpSession::linger(int reads) {
+  if (reads == 0) return;
+  stream_.expires_after(kLingerPatience);
+  stream_.async_read_some(asio::buffer(chunk_),
+                          [self = shared_from_this(), reads](ErrorValue error, std::size_t) {
+                            if (!error) self->linger(reads - 1);
+                          });
+}
+
+void HttpSession::close() {
+  ErrorValue ignored;
+  stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
+}
+
+void HttpSession::begin_stream() {
+  seen_ = server_.events->last();
+  HttpResponse response = server_.site.answer(*route_, request_);
+  http::response_header<> head;
+  head.version(11);
+  head.result(response.status);
+  head.set(http::field::content_type, response.type);
+  head.set(http::field::connection, "close");
+  add_common_headers(head);
+  server_.streams.insert(this);
+  std::ostringstream text;
+  text << head;
+  write_stream(text.str() + response.body);
+  watch_for_end();
+}
+
+void HttpSession::write_stream(std::string text) {
+  writing_ = true;
+  outgoing_ = std::move(text);
+  written_ = std::chrono::steady_clock::now();
+  stream_.expires_after(HttpLimits::kWritePatience);
+  asio::async_write(stream_, asio::buffer(outgoing_),
+                    [self = shared_from_this()](ErrorValue error, std::size_t) {
+                      self->writing_ = false;
+                      if (error) return self->end_stream();
+                      self->flush();
+                    });
+}
+
+// Nothing more is expected from the client; its end is.
+void HttpSession::watch_for_end() {
+  stream_.expires_never();
+  stream_.async_read_some(asio::buffer(chunk_),
+                          [self = shared_from_this()](ErrorValue error, std::size_t) {
+                            if (error) return self->end_stream();
+                            self->watch_for_end();
+                          });
+}
+
+void HttpSession::end_stream() {
+  server_.streams.erase(this);
+  stream_.close();
+}
+
+}  // namespace slipstick

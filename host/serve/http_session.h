@@ -1,0 +1,87 @@
+#pragma once
+
+#include <array>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/thread_pool.hpp>
+#include <boost/beast/core/flat_static_buffer.hpp>
+#include <boost/beast/core/tcp_stream.hpp>
+#include <boost/beast/http/buffer_body.hpp>
+#include <boost/beast/http/empty_body.hpp>
+#include <boost/beast/http/parser.hpp>
+#include <boost/beast/http/string_body.hpp>
+#include <memory>
+#include <optional>
+#include <set>
+
+#include "host/serve/http_server.h"
+#include "host/serve/upload_body.h"
+
+namespace slipstick {
+
+class HttpSession;
+
+/// What the connections of one server share. Sessions know it to their end, which may be that of
+/// `io`: it comes last.
+struct HttpShared {
+  HttpSite site;
+  const EventLog* events = nullptr;  ///< Set once, by `HttpServer::run`.
+  int connections = 0;
+  std::set<HttpSession*> streams;
+  boost::asio::io_context io{1};
+  boost::asio::thread_pool slow{1};
+};
+
+/// One connection: requests one after the other, or a stream of events. Lives as long as an
+/// operation of it is under way. Threads: that of `io`.
+class HttpSession : public std::enable_shared_from_this<HttpSession> {
+ public:
+  HttpSession(HttpShared& server, boost::asio::ip::tcp::socket socket);
+  ~HttpSession();
+  HttpSession(const HttpSession&) = delete;
+  HttpSession& operator=(const HttpSession&) = delete;
+
+  /// Waits for the next request.
+  void read_head();
+  /// Sends new events, if this is a stream that is not writing yet.
+  void flush();
+
+ private:
+  using ErrorValue = boost::system::error_code;
+  static constexpr std::size_t kChunk = 64 << 10;
+
+  void on_head(ErrorValue error);
+  void take_head();
+  void begin_body();
+  void read_body();
+  void on_body(ErrorValue error);
+  void answer();
+  void refuse(HttpResponse response);
+  void send(HttpResponse response);
+  void sent();
+  void linger(int reads);
+  void close();
+  void begin_stream();
+  void write_stream(std::string text);
+  void watch_for_end();
+  void end_stream();
+
+  HttpShared& server_;
+  boost::beast::tcp_stream stream_;
+  boost::beast::flat_static_buffer<HttpLimits::kHead + kChunk> buffer_;
+  std::optional<boost::beast::http::request_parser<boost::beast::http::buffer_body>> parser_;
+  std::array<char, kChunk> chunk_{};
+  HttpRequest request_;
+  const Route* route_ = nullptr;
+  std::optional<UploadBody> upload_;
+  boost::beast::http::response<boost::beast::http::empty_body> continue_;
+  boost::beast::http::response<boost::beast::http::string_body> response_;
+  bool keep_ = false;
+  bool linger_ = false;
+  // A stream of events.
+  std::int64_t seen_ = 0;
+  bool writing_ = false;
+  std::string outgoing_;
+  std::chrono::steady_clock::time_point written_{};
+};
+
+}  // namespace slipstick

@@ -1,0 +1,100 @@
+// OctoPrint's API: who and what this is.
+#include <nlohmann/json.hpp>
+
+#include "host/serve/octoprint.h"
+
+namespace slipstick {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// The release whose answers are given. Slicers want the text to begin with "OctoPrint".
+constexpr const char* kRelease = "1.10.0";
+
+}  // namespace
+
+HttpResponse octo_version(const HttpRequest&, Services&) {
+  return json_response(
+      {{"api", "0.1"},
+       {"server", kRelease},
+       {"text", std::string("OctoPrint ") + kRelease + " (slipstick " SLIPSTICK_VERSION ")"}});
+}
+
+HttpResponse octo_server(const HttpRequest&, Services&) {
+  return json_response({{"version", kRelease}, {"safemode", nullptr}});
+}
+
+HttpResponse octo_login(const HttpRequest&, Services&) {
+  return json_response({{"name", "slipstick"},
+                        {"active", true},
+                        {"admin", true},
+                        {"user", true},
+                        {"apikey", nullptr},
+                        {"session", "none"},
+                        {"groups", {"admins", "users"}},
+                        {"permissions", Json::array()},
+                        {"needs", Json::object()}});
+}
+
+HttpResponse octo_user(const HttpRequest&, Services&) {
+  return json_response(
+      {{"name", "slipstick"}, {"groups", {"admins", "users"}}, {"permissions", Json::array()}});
+}
+
+HttpResponse octo_settings(const HttpRequest&, Services&) {
+  return json_response({{"feature", {{"sdSupport", false}, {"modelSizeDetection", false}}},
+                        {"webcam", {{"webcamEnabled", false}, {"streamUrl", ""}}},
+                        {"temperature", {{"profiles", Json::array()}}},
+                        {"plugins", Json::object()}});
+}
+
+HttpResponse octo_profiles(const HttpRequest&, Services& services) {
+  const auto settings = load_settings(
+      {services.defaults.printer, services.defaults.material, services.defaults.profile, {}, {}});
+  if (!settings) return error_response(settings.error());
+  const PrinterSettings& printer = settings->printer;
+  Json profile{{"id", "_default"},
+               {"name", printer.name},
+               {"current", true},
+               {"default", true},
+               {"heatedBed", true},
+               {"volume",
+                {{"formFactor", "rectangular"},
+                 {"origin", "lowerleft"},
+                 {"width", printer.bed_size.x},
+                 {"depth", printer.bed_size.y},
+                 {"height", printer.bed_size.z}}},
+               {"extruder", {{"count", 1}, {"nozzleDiameter", printer.nozzle_diameter}}}};
+  return json_response({{"profiles", {{"_default", std::move(profile)}}}});
+}
+
+HttpResponse octo_connection(const HttpRequest&, Services& services) {
+  const Json ports = Json::array({services.port});
+  const Json profiles = Json::array({{{"id", "_default"}, {"name", "Default"}}});
+  return json_response({{"current",
+                         {{"state", octo_state(services.board.get().activity)},
+                          {"port", services.port},
+                          {"baudrate", nullptr},
+                          {"printerProfile", "_default"}}},
+                        {"options",
+                         {{"ports", ports},
+                          {"baudrates", Json::array()},
+                          {"printerProfiles", profiles},
+                          {"portPreference", services.port},
+                          {"baudratePreference", nullptr},
+                          {"printerProfilePreference", "_default"},
+                          {"autoconnect", true}}}});
+}
+
+// The printer is connected when there is something to print; nothing is to be done.
+HttpResponse octo_connect(const HttpRequest& request, Services& services) {
+  const Json json = Json::parse(request.body, nullptr, false);
+  const std::string command =
+      json.is_object() && json.contains("command") ? json["command"].dump() : "";
+  if (command == "\"connect\"" || command == "\"fake_ack\"") return empty_response();
+  if (command != "\"disconnect\"") return error_response(400, "command: connect or disconnect");
+  if (services.board.get().job == 0) return empty_response();
+  return error_response(409, "a print is under way");
+}
+
+}  // namespace slipstick

@@ -1,0 +1,128 @@
+#include "host/serve/print_task.h"
+
+#include <nlohmann/json.hpp>
+
+#include "host/file_lines.h"
+#include "host/layer_lines.h"
+#include "host/print_watch.h"
+#include "host/printer_link.h"
+
+namespace slipstick {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// How long a simulated machine may take to finish what it was sent.
+constexpr std::chrono::hours kRunDownMax{1};
+
+// Counts what is taken from another source.
+class CountedLines final : public LineSource {
+ public:
+  using OnLine = std::function<void(std::int64_t)>;
+  CountedLines(LineSource& source, OnLine on_line)
+      : source_(source), on_line_(std::move(on_line)) {}
+
+  Result<std::optional<Line>> next() override {
+    on_line_(++count_);
+    return source_.next();
+  }
+  bool ready() const override { return source_.ready(); }
+
+ private:
+  LineSource& source_;
+  const OnLine on_line_;
+  std::int64_t count_ = 0;
+};
+
+Result<std::int64_t> lines_in(const std::string& path) {
+  const auto lines = FileLines::open(path);
+  if (!lines) return fail(lines.error());
+  for (std::int64_t count = 0;; ++count) {
+    const auto line = (*lines)->next();
+    if (!line) return fail(line.error());
+    if (!*line) return count;
+  }
+}
+
+Json sim_json(const PrintVerdict& verdict) {
+  return {{"layers", verdict.layers},
+          {"components_wrong", verdict.components_wrong},
+          {"holes_wrong", verdict.holes_wrong}};
+}
+
+class TaskRun {
+ public:
+  TaskRun(const PrintTask& task, const PrintControl& control, const TaskListeners& listeners)
+      : task_(task), control_(control), listeners_(listeners) {}
+
+  Result<std::string> run() {
+    const auto settings = load_settings(task_.spec.settings);
+    if (!settings) return fail(settings.error());
+    watch_.emplace(settings->printer.filament_diameter, settings->slicing.sampling);
+    const auto done = task_.is_gcode ? print_file(*settings) : print_model();
+    if (!done) return fail(done.error());
+    return report_.dump();
+  }
+
+ private:
+  Result<void> print_file(const PrintSettings& settings) {
+    const auto count = lines_in(task_.path);
+    if (!count) return fail(count.error().within(task_.name));
+    const auto file = FileLines::open(task_.path);
+    if (!file) return fail(file.error());
+    listeners_.on_start(0);
+    const double total = double(std::max<std::int64_t>(*count, 1));
+    CountedLines lines(**file, [&](std::int64_t line) {
+      listeners_.on_completion(std::min(double(line - 1) / total, 1.0));
+    });
+    return stream(lines, settings.printer);
+  }
+
+  Result<void> print_model() {
+    const auto prepared = prepare_model(task_.path, task_.name, task_.spec, SliceGoal::kToolpaths);
+    if (!prepared) return fail(prepared.error());
+    auto job = SlicingJob::start(prepared->placed, prepared->request);
+    if (!job) return fail(job.error().within(task_.name));
+    const int first = (*job)->first_layer();
+    listeners_.on_start((*job)->end_layer() - first);
+    LayerLines lines(**job, prepared->request.settings, [&](const SlicedLayer& layer) {
+      watch_->expect(layer);
+      listeners_.on_layer(layer.index - first + 1, layer.top);
+    });
+    if (const auto ok = stream(lines, prepared->request.settings.printer); !ok) return ok;
+    report_["layers"] = (*job)->totals().layers;
+    report_["violations"] = (*job)->totals().violations;
+    report_["filament_mm"] = (*job)->totals().filament_mm;
+    return {};
+  }
+
+  Result<void> stream(LineSource& lines, const PrinterSettings& printer) {
+    auto link = open_printer(task_.port, printer.bed_size, watch_->sink());
+    if (!link) return fail(link.error());
+    const auto outcome = stream_job(*link->transport, *link->clock, lines, link->pace, control_);
+    if (!outcome) return fail(outcome.error());
+    report_["lines"] = outcome->counters.lines_acknowledged;
+    report_["resends"] = outcome->counters.resends;
+    report_["starved_seconds"] = outcome->starved_seconds;
+    report_["seconds"] = outcome->seconds;
+    if (link->sim == nullptr) return {};
+    link->sim->run_down(kRunDownMax);
+    report_["sim"] = sim_json(watch_->finish());
+    return {};
+  }
+
+  const PrintTask& task_;
+  const PrintControl& control_;
+  const TaskListeners& listeners_;
+  std::optional<PrintWatch> watch_;
+  Json report_;
+};
+
+}  // namespace
+
+Result<std::string> run_print_task(const PrintTask& task, const PrintControl& control,
+                                   const TaskListeners& listeners) {
+  return TaskRun(task, control, listeners).run();
+}
+
+}  // namespace slipstick

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "host/print_control.h"
+#include "host/serve/job_spec.h"
+#include "host/serve/store.h"
+
+namespace slipstick {
+
+/// A file to be printed, and where.
+struct PrintTask {
+  std::string path;
+  std::string name;  ///< As users know it.
+  bool is_gcode = false;
+  JobSpec spec;
+  std::string port;
+};
+
+/// How a task tells how far it is; called by the printing thread.
+struct TaskListeners {
+  std::function<void(int layers)> on_start;  ///< 0 for G-code.
+  std::function<void(int layer, double height)> on_layer;
+  std::function<void(double share)> on_completion;
+};
+
+/// Prints it, from the file to the last acknowledged line. A G-code file is read through before its
+/// first line is sent, so that no print ends at a line that no printer could take.
+/// \return what was printed, as JSON: lines, resends, and of a simulated printer what it laid down.
+[[nodiscard]] Result<std::string> run_print_task(const PrintTask& task, const PrintControl& control,
+                                                 const TaskListeners& listeners);
+
+}  // namespace slipstick

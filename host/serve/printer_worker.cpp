@@ -1,0 +1,203 @@
+#include "host/serve/printer_worker.h"
+
+#include <spdlog/spdlog.h>
+
+#include <ctime>
+
+#include "drivers/marlin/safe_stop.h"
+#include "drivers/open_transport.h"
+#include "host/serve/print_task.h"
+
+namespace slipstick {
+namespace {
+
+constexpr std::chrono::seconds kSafeStopPatience{5};
+
+std::int64_t unix_now() {
+  return static_cast<std::int64_t>(std::time(nullptr));
+}
+
+}  // namespace
+
+Result<std::unique_ptr<PrinterWorker>> PrinterWorker::start(Options options, StatusBoard& board,
+                                                            EventLog& events) {
+  auto store = Store::open(options.data);
+  if (!store) return fail(store.error());
+  const auto interrupted = store->recover(unix_now());
+  if (!interrupted) return fail(interrupted.error());
+  std::unique_ptr<PrinterWorker> worker(
+      new PrinterWorker(std::move(options), std::move(*store), board, events));
+  if (*interrupted > 0) worker->make_safe();
+  worker->thread_ = std::thread([raw = worker.get()] { raw->run(); });
+  return worker;
+}
+
+PrinterWorker::PrinterWorker(Options options, Store store, StatusBoard& board, EventLog& events)
+    : options_(std::move(options)), store_(std::move(store)), reporter_(board, events) {}
+
+PrinterWorker::~PrinterWorker() {
+  {
+    const std::lock_guard lock(mutex_);
+    stopping_ = true;
+    if (control_) control_->cancel();
+  }
+  changed_.notify_all();
+  if (thread_.joinable()) thread_.join();
+}
+
+void PrinterWorker::wake() {
+  {
+    const std::lock_guard lock(mutex_);
+    look_again_ = true;
+    idle_ = false;
+  }
+  changed_.notify_all();
+}
+
+bool PrinterWorker::pause() {
+  const auto control = current();
+  return control && control->pause();
+}
+
+bool PrinterWorker::resume() {
+  const auto control = current();
+  return control && control->resume();
+}
+
+bool PrinterWorker::cancel(std::int64_t id) {
+  const std::lock_guard lock(mutex_);
+  if (!control_ || job_ != id) return false;
+  control_->cancel();
+  return true;
+}
+
+bool PrinterWorker::emergency_stop() {
+  const auto control = current();
+  if (control) control->emergency_stop();
+  return control != nullptr;
+}
+
+void PrinterWorker::wait_until_idle() {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return idle_; });
+}
+
+void PrinterWorker::run() {
+  const auto occupied = store_.bed_occupied();
+  reporter_.bed(occupied && *occupied);
+  while (wait_for_work()) {
+    while (true) {
+      const auto printed = print_next();
+      if (!printed) spdlog::error("{}", printed.error().message);
+      if (!printed || !*printed) break;
+    }
+  }
+}
+
+// False when the worker is to end.
+bool PrinterWorker::wait_for_work() {
+  std::unique_lock lock(mutex_);
+  if (!look_again_) idle_ = true;
+  changed_.notify_all();
+  changed_.wait(lock, [this] { return look_again_ || stopping_; });
+  look_again_ = false;
+  idle_ = false;
+  return !stopping_;
+}
+
+// False if there is nothing to be printed now.
+Result<bool> PrinterWorker::print_next() {
+  const auto occupied = store_.bed_occupied();
+  if (!occupied) return fail(occupied.error());
+  reporter_.bed(*occupied);
+  if (*occupied) return false;
+  const auto job = store_.next_job();
+  if (!job) return fail(job.error());
+  if (!*job) return false;
+  // Whoever cancels the job now finds it either still queued or already under way.
+  const auto control = begin((*job)->id);
+  if (!control) return false;
+  const auto claimed = store_.claim_job((*job)->id, unix_now());
+  if (claimed && *claimed) {
+    print(**job);
+  } else {
+    over();
+  }
+  if (!claimed) return fail(claimed.error());
+  const std::lock_guard lock(mutex_);
+  return !stopping_;
+}
+
+void PrinterWorker::print(const StoredJob& job) {
+  reporter_.job_began(job.id, job.file_name);
+  const Store::Ending came_to = ending(printed(job));
+  const bool stopped =
+      over() == PrintControl::Wish::kEmergencyStop || came_to.state == JobState::kFailed;
+  if (const auto ok = store_.end_job(job.id, came_to, unix_now()); !ok) {
+    spdlog::error("job {}: {}", job.id, ok.error().message);
+  }
+  reporter_.job_ended(stopped ? PrinterActivity::kStopped : PrinterActivity::kIdle,
+                      came_to.message);
+}
+
+Result<std::string> PrinterWorker::printed(const StoredJob& job) {
+  const auto spec = job_spec_from_text(job.spec, options_.defaults);
+  if (!spec) return fail(spec.error());
+  const auto name = FileName::from(job.file_name);
+  if (!name) return fail(name.error());
+  const PrintTask task{store_.path_of(job.file, job.extension).string(), job.file_name,
+                       name->is_gcode(), *spec, options_.port};
+  return run_print_task(task, *current(),
+                        {[this](int layers) { reporter_.job_is_of(layers); },
+                         [this](int layer, double height) { reporter_.layer_began(layer, height); },
+                         [this](double share) { reporter_.completion(share); }});
+}
+
+Store::Ending PrinterWorker::ending(const Result<std::string>& printed) {
+  if (printed) return {JobState::kDone, "", *printed};
+  const std::string& message = printed.error().message;
+  if (printed.error().code != ErrorCode::kCancelled) return {JobState::kFailed, message, ""};
+  const std::lock_guard lock(mutex_);
+  if (stopping_) return {JobState::kInterrupted, "slipstick was stopped; heaters are off", ""};
+  return {JobState::kCancelled, message, ""};
+}
+
+// Nothing if the worker is to end.
+std::shared_ptr<PrintControl> PrinterWorker::begin(std::int64_t id) {
+  const std::lock_guard lock(mutex_);
+  if (stopping_) return nullptr;
+  job_ = id;
+  control_ = std::make_shared<PrintControl>(
+      PrintControl::Listeners{[this](const SenderEvent& event) { reporter_.heard(event); },
+                              [this](SenderState, const SenderCounters& counters) {
+                                reporter_.turn(current()->wish(), counters);
+                              }});
+  return control_;
+}
+
+// No request reaches the job any more. What was last wished of it.
+PrintControl::Wish PrinterWorker::over() {
+  const std::lock_guard lock(mutex_);
+  job_ = 0;
+  return std::exchange(control_, nullptr)->wish();
+}
+
+std::shared_ptr<PrintControl> PrinterWorker::current() {
+  const std::lock_guard lock(mutex_);
+  return control_;
+}
+
+void PrinterWorker::make_safe() {
+  const auto address = parse_transport_address(options_.port);
+  if (!address || address->kind == TransportKind::kSim) return;
+  const auto transport = open_transport(*address);
+  if (!transport) {
+    spdlog::error("a print was cut off, and its printer cannot be told to cool down: {}",
+                  transport.error().message);
+    return;
+  }
+  const auto told = (*transport)->write_all(kSafeStopBytes, kSafeStopPatience);
+  if (!told) spdlog::error("{}", told.error().message);
+}
+
+}  // namespace slipstick

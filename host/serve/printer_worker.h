@@ -1,0 +1,79 @@
+#pragma once
+
+#include <condition_variable>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "host/serve/job_spec.h"
+#include "host/serve/status_reporter.h"
+#include "host/serve/store.h"
+
+namespace slipstick {
+
+/// The thread of one printer: takes jobs from the store, one at a time, and prints them. The next
+/// one waits until the bed is said to be clear.
+///
+/// Threads: requests by any thread.
+class PrinterWorker {
+ public:
+  struct Options {
+    std::filesystem::path data;
+    std::string port;
+    JobDefaults defaults;
+  };
+
+  /// Recovers the store and begins. If a print was cut off by the end of an earlier process, the
+  /// printer is made safe first.
+  /// \return kUnavailable if the store cannot be opened.
+  [[nodiscard]] static Result<std::unique_ptr<PrinterWorker>> start(Options options,
+                                                                    StatusBoard& board,
+                                                                    EventLog& events);
+  /// Ends a print under way with the heaters off, and waits for that.
+  ~PrinterWorker();
+  PrinterWorker(const PrinterWorker&) = delete;
+  PrinterWorker& operator=(const PrinterWorker&) = delete;
+
+  /// Something in the store changed: a job was added, the bed was cleared.
+  void wake();
+
+  /// Each returns whether a print was under way (job `id`) to which it applies.
+  bool pause();
+  bool resume();
+  bool cancel(std::int64_t id);
+  bool emergency_stop();
+
+  /// Waits until no job can be begun. For tests.
+  void wait_until_idle();
+
+ private:
+  PrinterWorker(Options options, Store store, StatusBoard& board, EventLog& events);
+  void run();
+  [[nodiscard]] Result<bool> print_next();
+  void print(const StoredJob& job);
+  [[nodiscard]] Result<std::string> printed(const StoredJob& job);
+  [[nodiscard]] Store::Ending ending(const Result<std::string>& printed);
+  [[nodiscard]] std::shared_ptr<PrintControl> begin(std::int64_t id);
+  PrintControl::Wish over();
+  [[nodiscard]] std::shared_ptr<PrintControl> current();
+  [[nodiscard]] bool wait_for_work();
+  void make_safe();
+
+  const Options options_;
+  Store store_;              ///< The worker's own.
+  StatusReporter reporter_;  ///< Likewise.
+
+  std::mutex mutex_;  ///< Protects what follows.
+  std::condition_variable changed_;
+  std::shared_ptr<PrintControl> control_;  ///< Of the job under way.
+  std::int64_t job_ = 0;
+  bool look_again_ = true;
+  bool idle_ = false;
+  bool stopping_ = false;
+
+  std::thread thread_;  // last: it uses what stands above
+};
+
+}  // namespace slipstick

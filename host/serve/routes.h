@@ -1,0 +1,62 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "host/serve/event_log.h"
+#include "host/serve/http.h"
+#include "host/serve/layer_preview.h"
+#include "host/serve/printer_worker.h"
+#include "host/serve/store.h"
+
+namespace slipstick {
+
+/// \file
+/// Which request is answered by what. Handlers are functions from a request to a response; they do
+/// not know sockets.
+
+/// What handlers work with. Quick and slow routes run on different threads, each of which has its
+/// own store and preview; the rest they share.
+struct Services {
+  Store store;
+  LayerPreview preview;
+  JobDefaults defaults;
+  std::string port;  ///< Of the printer.
+  PrinterWorker& printer;
+  const StatusBoard& board;
+  EventLog& events;
+};
+
+enum class RouteBody : std::uint8_t {
+  kText,    ///< None, or a short one: JSON.
+  kUpload,  ///< Received into a file.
+  kForm,    ///< The file of a form likewise.
+};
+
+enum class RouteKind : std::uint8_t {
+  kQuick,   ///< Answered at once.
+  kSlow,    ///< On a thread of its own, one at a time.
+  kEvents,  ///< Becomes a stream of events.
+};
+
+struct Route {
+  HttpMethod method;
+  std::string_view pattern;  ///< "/api/v1/jobs/{id}"
+  HttpResponse (*handle)(const HttpRequest&, Services&);
+  RouteBody body = RouteBody::kText;
+  RouteKind kind = RouteKind::kQuick;
+};
+
+/// All of them.
+[[nodiscard]] std::span<const Route> routes();
+
+/// Where a request leads: a route and the parameters of its pattern, or the response that says why
+/// not (404, 405).
+struct Found {
+  const Route* route = nullptr;
+  std::map<std::string, std::string> parameters = {};
+  HttpResponse refusal = {};
+};
+[[nodiscard]] Found find_route(HttpMethod method, const HttpTarget& target);
+
+}  // namespace slipstick

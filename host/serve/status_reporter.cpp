@@ -1,0 +1,87 @@
+#include "host/serve/status_reporter.h"
+
+#include <nlohmann/json.hpp>
+
+namespace slipstick {
+namespace {
+
+using SteadyTime = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds kInterval{250};
+
+std::string one_line(const nlohmann::ordered_json& json) {
+  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+}  // namespace
+
+void StatusReporter::job_began(std::int64_t id, const std::string& file) {
+  status_ = {PrinterActivity::kPrinting, "", status_.firmware, status_.temperatures, id, file};
+  status_.bed_occupied = true;
+  began_ = SteadyTime::now();
+  tell("state");
+}
+
+void StatusReporter::layer_began(int layer, double height) {
+  status_.layer = layer;
+  status_.height = height;
+  if (status_.layers > 0) completion(double(layer - 1) / status_.layers);
+}
+
+void StatusReporter::turn(PrintControl::Wish wish, const SenderCounters& counters) {
+  status_.lines = static_cast<std::int64_t>(counters.lines_acknowledged);
+  status_.seconds = std::chrono::duration<double>(SteadyTime::now() - began_).count();
+  using Wish = PrintControl::Wish;
+  set(wish == Wish::kRun     ? PrinterActivity::kPrinting
+      : wish == Wish::kPause ? PrinterActivity::kPaused
+                             : PrinterActivity::kEnding);
+  if (due(progress_told_)) tell("progress");
+}
+
+void StatusReporter::heard(const SenderEvent& event) {
+  if (const auto* seen = std::get_if<TemperaturesSeen>(&event)) {
+    status_.temperatures = seen->temperatures;
+    if (!due(temperatures_told_)) return;
+    board_.put(status_);
+    events_.publish("temperatures", one_line(to_json(seen->temperatures)));
+  } else if (const auto* firmware = std::get_if<FirmwareSeen>(&event)) {
+    status_.firmware = firmware->name;
+    tell("state");
+  } else if (const auto* message = std::get_if<MessageSeen>(&event)) {
+    events_.publish("log", one_line({{"text", message->text}}));
+  } else if (const auto* action = std::get_if<ActionSeen>(&event)) {
+    events_.publish("log", one_line({{"text", "the printer asks: " + action->text}}));
+  }
+}
+
+void StatusReporter::job_ended(PrinterActivity activity, const std::string& message) {
+  status_.job = 0;
+  status_.activity = activity;
+  status_.message = message;
+  tell("state");
+}
+
+void StatusReporter::bed(bool occupied) {
+  status_.bed_occupied = occupied;
+  tell("state");
+}
+
+void StatusReporter::set(PrinterActivity activity) {
+  if (status_.activity == activity) return;
+  status_.activity = activity;
+  tell("state");
+}
+
+void StatusReporter::tell(const char* type) {
+  board_.put(status_);
+  events_.publish(type, one_line(to_json(status_)));
+}
+
+bool StatusReporter::due(SteadyTime::time_point& last) {
+  const auto now = SteadyTime::now();
+  if (now - last < kInterval) return false;
+  last = now;
+  return true;
+}
+
+}  // namespace slipstick
