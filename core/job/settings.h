@@ -45,7 +45,7 @@ struct MaterialSettings {
 };
 
 /// Where vertices sit on their sticks (ALGORITHMS C2, C3).
-enum class Placement : std::uint8_t { kRoots, kSliding, kProjection, kMidpoints };
+enum class Placement : std::uint8_t { kRoots, kSliding, kProjection, kLaplacian, kMidpoints };
 
 /// How contours get fewer edges.
 enum class Simplification : std::uint8_t { kFewest, kVsa, kGreedy, kNone };

@@ -1,6 +1,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numbers>
 
+#include "core/contour/audit.h"
+#include "core/contour/place_laplacian.h"
 #include "core/contour/place_roots.h"
 #include "core/contour/place_smooth.h"
 #include "core/contour/simplify.h"
@@ -9,6 +12,7 @@
 #include "core/solid/bsp_build.h"
 #include "core/solid/bsp_model.h"
 #include "core/solid/mesh_model.h"
+#include "tests/support/outlines.h"
 #include "tests/support/shapes.h"
 
 using namespace slipstick;
@@ -87,6 +91,23 @@ TEST_CASE("Roots of a mesh and of its tree part inside from outside, between nei
     check_parted(*MeshModel(mesh).placed({}), shape);
     check_parted(*(*BspModel::of(*tree))->placed({}), shape);
   }
+}
+
+TEST_CASE("Ordinary Laplacian smoothing shrinks a disc; brought back, it still parts the samples") {
+  ContourSet contours = disc_contours();
+  const std::vector<Vec2> smoothed = free_laplacian(contours, contours.loops()[0]);
+
+  double area = 0;
+  for (std::size_t i = 0; i < smoothed.size(); ++i) {
+    area += 0.5 * cross(smoothed[i], smoothed[(i + 1) % smoothed.size()]) * kWidth * kWidth;
+  }
+  CHECK(area < 0.99 * std::numbers::pi * kRadius * kRadius);
+
+  place_laplacian(contours);
+  Disc disc(kRadius);
+  CHECK(audit_samples(test::audit_loops_of(keep_all(contours).outline),
+                      *sample(disc, contours.grid()))
+            .empty());
 }
 
 TEST_CASE("Roots lie on the boundary to a part in 65536 of a cell") {
