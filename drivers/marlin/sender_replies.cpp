@@ -74,6 +74,7 @@ void Sender::on(const LineError& error, Moment now) {
 
 void Sender::on(const Fatal& fatal, Moment /*now*/) {
   last_words_left_ = 0;
+  printer_stopped_ = true;
   if (over()) return tell(MessageSeen{fatal.text});
   give_up(SenderState::kHalted, "the printer stopped itself: " + fatal.text);
 }
