@@ -44,7 +44,12 @@ Moment latency(bool full) {
   }
   const SteadyClock clock;
   NoLines lines;
-  PrintControl control;
+  std::promise<void> said;
+  bool first = true;
+  PrintControl control({{}, [&](SenderState state, const SenderCounters&) {
+                          if (first && state == SenderState::kHalted) said.set_value();
+                          first &= state != SenderState::kHalted;
+                        }});
   auto print = std::async(std::launch::async, [&] {
     return stream_job(*terminal.host, clock, lines, Pace::kRealTime, control);
   });
@@ -52,6 +57,7 @@ Moment latency(bool full) {
   (void)terminal.printer->read_some(std::span(buffer).first(1), 100ms);
   const Moment asked = clock.now();
   control.emergency_stop();
+  said.get_future().wait();  // Before that the other end would only make room for old bytes.
 
   std::string heard;
   while (heard.find("\nM112\n") == std::string::npos && clock.now() < asked + 3s) {
