@@ -164,6 +164,7 @@ class Sender {
 
   void on_odd_request(std::optional<LineNumber> number, Moment now);
   void on_silence(Moment now);
+  void ask_for_truth(Moment now);
   void probe(Moment now);
 
   const SenderOptions options_;
