@@ -85,6 +85,8 @@ class Sender {
   void stop();
   /// Kills the printer at once. The state becomes kHalted.
   void emergency_stop();
+  /// Whether the printer said that it has stopped itself.
+  [[nodiscard]] bool printer_stopped() const { return printer_stopped_; }
   /// Gives the printer up: the state becomes kLost.
   void abandon(std::string reason);
 
@@ -162,6 +164,7 @@ class Sender {
 
   void on_odd_request(std::optional<LineNumber> number, Moment now);
   void on_silence(Moment now);
+  void ask_for_truth(Moment now);
   void probe(Moment now);
 
   const SenderOptions options_;
@@ -171,6 +174,7 @@ class Sender {
   SenderCounters counters_;
   std::optional<SenderState> fate_;  ///< kHalted or kLost, for good.
   std::string reason_;
+  bool printer_stopped_ = false;
   std::string last_words_;    ///< For a printer that is killed or given up,
   int last_words_left_ = 0;   ///< this often,
   Moment next_last_words_{};  ///< from then on.

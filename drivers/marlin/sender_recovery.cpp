@@ -101,6 +101,14 @@ void Sender::on_silence(Moment now) {
   }
 }
 
+void Sender::ask_for_truth(Moment now) {
+  ++loose_ends_;
+  ++probes_;
+  ++counters_.probes;
+  probe(now);
+  tell(ProbeSent{*outstanding_});
+}
+
 void Sender::probe(Moment now) {
   cursor_ = lines_.bind("M105", LineOwner::kSender);
   transmit(now);

@@ -28,7 +28,12 @@ bool Sender::answers(const Ok& ok) const {
 
 void Sender::on(const Ok& ok, Moment now) {
   if (ok.temperatures) tell(TemperaturesSeen{*ok.temperatures});
-  if (answers(ok)) return acknowledge(*outstanding_, now);
+  if (answers(ok)) {
+    // Perhaps it answers what noise made of the line: nothing of the job goes out before that is
+    // known, or noise could make an unnumbered command of the next line too, and of that alone.
+    const bool doubtful = odd_text_ && !greeting_ && ok.bare;
+    return doubtful ? ask_for_truth(now) : acknowledge(*outstanding_, now);
+  }
   if (over() || listening_until_) return;
   if (!drain_) ++counters_.surplus_oks;
   if (!drain_) ++loose_ends_;
@@ -74,6 +79,7 @@ void Sender::on(const LineError& error, Moment now) {
 
 void Sender::on(const Fatal& fatal, Moment /*now*/) {
   last_words_left_ = 0;
+  printer_stopped_ = true;
   if (over()) return tell(MessageSeen{fatal.text});
   give_up(SenderState::kHalted, "the printer stopped itself: " + fatal.text);
 }
