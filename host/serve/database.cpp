@@ -37,6 +37,7 @@ SqlValue column(sqlite3_stmt* statement, int at) {
 SqlRow row(sqlite3_stmt* statement) {
   std::vector<SqlValue> values;
   const int count = sqlite3_column_count(statement);
+  values.reserve(static_cast<std::size_t>(count));
   for (int at = 0; at < count; ++at) values.push_back(column(statement, at));
   return SqlRow(std::move(values));
 }

@@ -1,5 +1,6 @@
 // Store: the queue and the history.
 #include <fmt/format.h>
+#include <algorithm>
 
 #include <array>
 
@@ -17,12 +18,11 @@ const std::string kJobColumns =
     "jobs.started, jobs.ended, jobs.message, jobs.result "
     "FROM jobs JOIN files ON files.id = jobs.file ";
 
+// The schema knows no other states.
 JobState state_of(std::string_view name) {
-  for (std::size_t i = 0; i < kStateNames.size(); ++i) {
-    if (kStateNames[i] == name) return static_cast<JobState>(i);
-  }
-  SLIPSTICK_CHECK(!"the schema has no other state");
-  return JobState::kFailed;
+  const auto at = std::find(kStateNames.begin(), kStateNames.end(), name);
+  SLIPSTICK_CHECK(at != kStateNames.end());
+  return static_cast<JobState>(at - kStateNames.begin());
 }
 
 StoredJob job_of(const SqlRow& row) {
