@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/eventfd.h>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
+#include <termios.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -90,18 +92,36 @@ Result<std::size_t> FdTransport::read_some(std::span<char> buffer,
   }
 }
 
+Result<std::size_t> FdTransport::write_some(std::string_view bytes,
+                                            std::chrono::microseconds patience) {
+  SLIPSTICK_CHECK(!bytes.empty());
+  const auto until = SteadyClock().now() + patience;
+  while (true) {
+    if (auto ready = await(POLLOUT, until); !ready) return fail(ready.error());
+    const ssize_t count = write_quietly(fd_.get(), bytes);
+    if (count > 0) return static_cast<std::size_t>(count);
+    if (count < 0 && !may_try_again(errno)) return fail(gone(errno));
+  }
+}
+
 Result<void> FdTransport::write_all(std::string_view bytes, std::chrono::microseconds patience) {
   const auto until = SteadyClock().now() + patience;
   while (!bytes.empty()) {
-    if (auto ready = await(POLLOUT, until); !ready) return ready;
-    const ssize_t count = write_quietly(fd_.get(), bytes);
-    if (count >= 0) {
-      bytes.remove_prefix(static_cast<std::size_t>(count));
-    } else if (!may_try_again(errno)) {
-      return fail(gone(errno));
-    }
+    const auto count = write_some(bytes, until - SteadyClock().now());
+    if (!count) return fail(count.error());
+    bytes.remove_prefix(*count);
   }
   return {};
+}
+
+void FdTransport::discard_output() noexcept {
+  // Only terminals have a queue that can be emptied; others say ENOTTY.
+  [[maybe_unused]] const int done = ::tcflush(fd_.get(), TCOFLUSH);
+}
+
+bool FdTransport::set_dtr(bool on) noexcept {
+  const int line = TIOCM_DTR;
+  return ::ioctl(fd_.get(), on ? TIOCMBIS : TIOCMBIC, &line) == 0;
 }
 
 void FdTransport::shut_down() noexcept {

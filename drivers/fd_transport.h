@@ -20,8 +20,12 @@ class FdTransport final : public Transport {
 
   [[nodiscard]] Result<std::size_t> read_some(std::span<char> buffer,
                                               std::chrono::microseconds patience) override;
+  [[nodiscard]] Result<std::size_t> write_some(std::string_view bytes,
+                                               std::chrono::microseconds patience) override;
   [[nodiscard]] Result<void> write_all(std::string_view bytes,
                                        std::chrono::microseconds patience) override;
+  void discard_output() noexcept override;
+  bool set_dtr(bool on) noexcept override;
   void shut_down() noexcept override;
   [[nodiscard]] int descriptor() const noexcept override { return fd_.get(); }
   [[nodiscard]] std::string_view name() const override { return name_; }

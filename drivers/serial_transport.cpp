@@ -32,11 +32,18 @@ class SerialTransport final : public Transport {
                                               std::chrono::microseconds patience) override {
     return bytes_->read_some(buffer, patience);
   }
+  [[nodiscard]] Result<std::size_t> write_some(std::string_view bytes,
+                                               std::chrono::microseconds patience) override {
+    return bytes_->write_some(bytes, patience);
+  }
   [[nodiscard]] Result<void> write_all(std::string_view bytes,
                                        std::chrono::microseconds patience) override {
     return bytes_->write_all(bytes, patience);
   }
+  void discard_output() noexcept override { bytes_->discard_output(); }
+  bool set_dtr(bool on) noexcept override { return bytes_->set_dtr(on); }
   void shut_down() noexcept override { bytes_->shut_down(); }
+  [[nodiscard]] int descriptor() const noexcept override { return bytes_->descriptor(); }
   [[nodiscard]] std::string_view name() const override { return bytes_->name(); }
 
  private:

@@ -33,10 +33,23 @@ class Transport {
   [[nodiscard]] virtual Result<std::size_t> read_some(std::span<char> buffer,
                                                       std::chrono::microseconds patience) = 0;
 
+  /// Hands over as many of `bytes` as the other side takes, as soon as that is at least one.
+  ///
+  /// \pre `bytes` is not empty. \return how many, never 0. Errors as for `read_some`.
+  [[nodiscard]] virtual Result<std::size_t> write_some(std::string_view bytes,
+                                                       std::chrono::microseconds patience) = 0;
+
   /// Hands over all of `bytes`, or fails; after a failure nobody knows how many went out.
   /// Errors as for `read_some`.
   [[nodiscard]] virtual Result<void> write_all(std::string_view bytes,
                                                std::chrono::microseconds patience) = 0;
+
+  /// Forgets what was handed over and has not left this machine, where that is possible.
+  virtual void discard_output() noexcept {}
+
+  /// Switches DTR, whose falling edge resets most boards.
+  /// \return whether there is such a line.
+  virtual bool set_dtr(bool /*on*/) noexcept { return false; }
 
   /// Makes the call in progress and all later ones fail with kCancelled. Safe to call twice.
   virtual void shut_down() noexcept = 0;

@@ -6,11 +6,11 @@ namespace slipstick {
 namespace {
 
 // A signal handler can reach nothing else.
-volatile std::sig_atomic_t interrupted = 0;
+volatile std::sig_atomic_t interrupts = 0;
 
 void on_signal(int signal) {
-  interrupted = 1;
-  std::signal(signal, SIG_DFL);
+  interrupts = interrupts + 1;
+  if (interrupts >= 2) std::signal(signal, SIG_DFL);
 }
 
 }  // namespace
@@ -22,7 +22,11 @@ void Interrupt::install() {
 }
 
 bool Interrupt::requested() {
-  return interrupted != 0;
+  return interrupts > 0;
+}
+
+bool Interrupt::urgent() {
+  return interrupts > 1;
 }
 
 }  // namespace slipstick

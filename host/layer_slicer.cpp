@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/contour/audit.h"
+#include "core/contour/place_laplacian.h"
 #include "core/contour/place_roots.h"
 #include "core/contour/place_smooth.h"
 #include "core/contour/trace.h"
@@ -103,6 +104,8 @@ void LayerSlicer::place(ContourSet& contours, double z) const {
       return place_sliding(contours);
     case Placement::kProjection:
       return place_projection(contours);
+    case Placement::kLaplacian:
+      return place_laplacian(contours);
     case Placement::kMidpoints:
       return;
   }

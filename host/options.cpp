@@ -28,7 +28,7 @@ constexpr std::array<Shorthand, 11> kShorthands{{
     {"--sampling", "sampling", "the paper's r', mm"},
     {"--regularize", "regularize", "open and close the solid by a ball of this radius, mm"},
     {"--alpha", "alpha", "clustering ratio of --simplify vsa"},
-    {"--place", "place", "roots, sliding, projection or midpoints"},
+    {"--place", "place", "roots, sliding, projection, laplacian or midpoints"},
     {"--simplify", "simplify", "fewest, vsa, greedy or none"},
     {"--tolerance", "tolerance", "mm a simplified contour may be off"},
     {"--ambiguity", "ambiguity", "solid or void: what diagonal samples join"},

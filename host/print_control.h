@@ -53,7 +53,7 @@ class PrintControl {
     }
   }
 
-  const Listeners listeners_ = {};
+  const Listeners listeners_{};
   std::atomic<Wish> wish_{Wish::kRun};
 };
 

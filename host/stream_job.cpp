@@ -7,9 +7,9 @@
 #include <optional>
 #include <thread>
 
-#include "drivers/marlin/safe_stop.h"
 #include "host/interrupt.h"
 #include "host/last_words.h"
+#include "host/output_queue.h"
 
 namespace slipstick {
 namespace {
@@ -18,11 +18,13 @@ using std::chrono::microseconds;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-constexpr milliseconds kWaitMax{250};   // how late an interrupt may be noticed
-constexpr milliseconds kHungryWait{5};  // how often to look for a line that is being made
+constexpr milliseconds kWaitMax{20};          // how late a request may be noticed,
+constexpr milliseconds kVirtualWaitMax{250};  // and in virtual time
+constexpr milliseconds kFullWait{2};          // how often to try a port that takes nothing
+constexpr milliseconds kHungryWait{5};        // how often to look for a line that is being made
 constexpr milliseconds kPausedNap{20};  // in virtual time, which would fly while nothing is sent
-constexpr seconds kWritePatience{10};
-constexpr seconds kStopPatience{30};  // for the safe end after a failure
+constexpr seconds kStopPatience{30};    // for the safe end after a failure
+constexpr milliseconds kDtrPulse{100};
 
 class Stream {
  public:
@@ -33,20 +35,21 @@ class Stream {
         source_(source),
         pace_(pace),
         control_(control),
+        output_(transport, clock),
         began_(clock.now()) {}
 
   Result<StreamOutcome> run() {
     while (true) {
       heed_requests();
       feed();
-      if (const auto ok = write(); !ok) return fail(failure_.value_or(ok.error()));
+      if (const auto ok = write(); !ok) return out_of_reach(ok.error());
       take_events();
       const SenderState state = sender_.state();
       control_.tell(state, sender_.counters());
       if (state == SenderState::kDone) break;
       if (state == SenderState::kHalted || state == SenderState::kLost) return given_up();
-      if (stop_deadline_ && clock_.now() > *stop_deadline_) break;
-      if (const auto ok = read(); !ok) return fail(failure_.value_or(ok.error()));
+      if (stop_deadline_ && clock_.now() > *stop_deadline_) sender_.abandon("it does not stop");
+      if (const auto ok = read(); !ok) return out_of_reach(ok.error());
     }
     if (failure_) return fail(*failure_);
     outcome_.counters = sender_.counters();
@@ -57,14 +60,22 @@ class Stream {
  private:
   void heed_requests() {
     const PrintControl::Wish wish = control_.wish();
-    if (wish == PrintControl::Wish::kEmergencyStop && !killed_) {
-      killed_ = true;
-      give_up({ErrorCode::kCancelled, "emergency stop; reset the printer"});
-      sender_.emergency_stop();
+    if (wish == PrintControl::Wish::kEmergencyStop || Interrupt::urgent()) {
+      kill();
     } else if (wish == PrintControl::Wish::kCancel) {
       give_up({ErrorCode::kCancelled, "cancelled; heaters are off"});
     }
     if (Interrupt::requested()) give_up({ErrorCode::kCancelled, "interrupted; heaters are off"});
+  }
+
+  // Before everything that waits: what has not left this machine is forgotten.
+  void kill() {
+    if (killed_) return;
+    killed_ = true;
+    failure_.reset();
+    give_up({ErrorCode::kCancelled, "emergency stop; reset the printer"});
+    sender_.emergency_stop();
+    output_.clear();
   }
 
   void feed() {
@@ -97,17 +108,37 @@ class Stream {
     sender_.stop();
   }
 
-  // The sender says nothing more. A board that was reset has no targets, but one that merely could
-  // not be understood may still be hot.
+  // Nothing of the job goes out any more, but what makes the printer safe does.
   Result<StreamOutcome> given_up() {
-    const auto ignored = transport_.write_all(kSafeStopBytes, kWritePatience);
-    static_cast<void>(ignored);
+    while (sender_.wakeup()) {
+      heed_requests();
+      if (!write() || !read()) break;
+    }
+    if (killed_ && !sender_.printer_stopped()) {
+      reset_board();
+      failure_->message = "the printer did not confirm the emergency stop: switch it off";
+    }
     return fail(failure_.value_or(Error{ErrorCode::kPrinter, sender_.reason()}));
   }
 
+  // The last resort: whatever the firmware is at, a reset switches the heaters off.
+  void reset_board() {
+    if (!transport_.set_dtr(false)) return;
+    spdlog::warn("{}: resetting the board by DTR", transport_.name());
+    const auto ignored = transport_.read_some(buffer_, kDtrPulse);
+    static_cast<void>(ignored);
+    transport_.set_dtr(true);
+  }
+
+  Result<StreamOutcome> out_of_reach(Error error) {
+    if (error.code == ErrorCode::kTimedOut) reset_board();
+    error.message += "; the printer's heaters may still be on";
+    return fail(failure_.value_or(std::move(error)));
+  }
+
   Result<void> write() {
-    const std::string bytes = sender_.take_output(clock_.now());
-    return bytes.empty() ? Result<void>() : transport_.write_all(bytes, kWritePatience);
+    output_.push(sender_.take_output(clock_.now()));
+    return output_.write();
   }
 
   Result<void> read() {
@@ -124,7 +155,9 @@ class Stream {
   }
 
   microseconds patience(Moment now) const {
-    microseconds wait = hungry_ ? kHungryWait : kWaitMax;
+    microseconds wait = pace_ == Pace::kVirtual ? kVirtualWaitMax : kWaitMax;
+    if (hungry_) wait = kHungryWait;
+    if (!output_.empty()) wait = kFullWait;
     if (const auto wakeup = sender_.wakeup()) wait = std::min(wait, *wakeup - now);
     return std::max(wait, microseconds(1));
   }
@@ -147,6 +180,7 @@ class Stream {
   LineSource& source_;
   const Pace pace_;
   const PrintControl& control_;
+  OutputQueue output_;
   const Moment began_;
   Sender sender_;
   StreamOutcome outcome_;

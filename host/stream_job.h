@@ -33,7 +33,9 @@ struct StreamOutcome {
 [[nodiscard]] Result<StreamOutcome> stream_job(Transport& transport, const Clock& clock,
                                                LineSource& source, Pace pace);
 
-/// The same, and does what `control` is asked for within a quarter of a second of the link's time.
+/// The same, and does what `control` is asked for within 20 ms, in virtual time a quarter of a
+/// second. An emergency stop goes out before all that has not left this machine; where the printer
+/// does not confirm it, DTR resets the board.
 [[nodiscard]] Result<StreamOutcome> stream_job(Transport& transport, const Clock& clock,
                                                LineSource& source, Pace pace,
                                                const PrintControl& control);

@@ -22,8 +22,8 @@ namespace slipstick {
 /// (4-connected).
 ///
 /// An island or hole p *meets* a part q of D (or of its free space) where they have at least
-/// `speck_mm2` in common, or where no other q has more of p: the second keeps the smallest
-/// accountable, the first keeps a pixel of roughness from counting.
+/// `speck_mm2` in common, or where q is the one that has most of p (the first of several): the
+/// second keeps the smallest accountable, the first keeps a pixel of roughness from counting.
 ///
 /// - Material of D that meets no island is stray (a skirt, a prime line). It is taken out of D
 /// before all

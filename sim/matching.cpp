@@ -61,13 +61,15 @@ std::set<int> labels_with_square(const Regions& parts, int side) {
 
 std::vector<Overlap> meetings(const Regions& wanted, const Regions& printed, std::int64_t speck) {
   const std::vector<Overlap> pairs = overlaps(wanted, printed);
-  std::vector<std::int64_t> most(index(wanted.count()));
+  // The first of those that share most: a part of two pixels must not be cut by lying on a border.
+  std::vector<const Overlap*> most(index(wanted.count()));
   for (const Overlap& pair : pairs) {
-    most[index(pair.a)] = std::max(most[index(pair.a)], pair.pixels);
+    const Overlap*& best = most[index(pair.a)];
+    if (best == nullptr || pair.pixels > best->pixels) best = &pair;
   }
   std::vector<Overlap> result;
   for (const Overlap& pair : pairs) {
-    if (pair.pixels >= speck || pair.pixels == most[index(pair.a)]) result.push_back(pair);
+    if (pair.pixels >= speck || &pair == most[index(pair.a)]) result.push_back(pair);
   }
   return result;
 }

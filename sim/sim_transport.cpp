@@ -112,21 +112,32 @@ Result<std::size_t> SimTransport::read_some(std::span<char> buffer,
   return cancelled();
 }
 
-Result<void> SimTransport::write_all(std::string_view bytes, std::chrono::microseconds patience) {
+Result<std::size_t> SimTransport::write_some(std::string_view bytes,
+                                             std::chrono::microseconds patience) {
   if (realtime_) advance_to(std::max(printer_.now(), steady_now()));
   const Moment deadline = printer_.now() + patience;
   while (!shut_down_) {
     const std::size_t room = kTtyBuffer - std::min(kTtyBuffer, printer_.unread());
-    const std::size_t count = std::min(room, bytes.size());
-    printer_.receive(bytes.substr(0, count), printer_.now());
-    bytes.remove_prefix(count);
-    if (bytes.empty()) return {};
+    if (const std::size_t count = std::min(room, bytes.size()); count > 0) {
+      printer_.receive(bytes.substr(0, count), printer_.now());
+      return count;
+    }
     if (printer_.now() >= deadline) {
       return fail(ErrorCode::kTimedOut, "sim: the printer does not read");
     }
     pass_time(deadline);
   }
   return cancelled();
+}
+
+Result<void> SimTransport::write_all(std::string_view bytes, std::chrono::microseconds patience) {
+  const Moment deadline = printer_.now() + patience;
+  while (!bytes.empty()) {
+    const auto count = write_some(bytes, deadline - printer_.now());
+    if (!count) return fail(count.error());
+    bytes.remove_prefix(*count);
+  }
+  return {};
 }
 
 void SimTransport::run_down(Moment most) {

@@ -37,6 +37,8 @@ class SimTransport final : public Transport {
 
   [[nodiscard]] Result<std::size_t> read_some(std::span<char> buffer,
                                               std::chrono::microseconds patience) override;
+  [[nodiscard]] Result<std::size_t> write_some(std::string_view bytes,
+                                               std::chrono::microseconds patience) override;
   [[nodiscard]] Result<void> write_all(std::string_view bytes,
                                        std::chrono::microseconds patience) override;
   void shut_down() noexcept override;

@@ -1,6 +1,8 @@
 #include "core/contour/place_roots.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/contour/bracket.h"
@@ -9,14 +11,43 @@ namespace slipstick {
 namespace {
 
 // Neighbours along a contour are neighbours in space, so a batch asks a section narrowed to a small
-// box.
+// box. It ends where the box would be more than so many cells wide: at a loop that is far away.
 constexpr std::size_t kBatch = 128;
-// Bisection asks so often that a box of so few sticks pays.
+// Without values each stick is asked for alone, so that a box of few sticks pays.
 constexpr std::size_t kSmallBatch = 8;
+// So many guesses are tried; then the stick is halved.
+constexpr std::size_t kGuessesMax = 4;
+constexpr auto kUnits = static_cast<std::int32_t>(SliceGrid::kUnitsPerCell);
 
 class Roots {
  public:
   explicit Roots(ContourSet& contours) : contours_(contours) {}
+
+  void run(Section& section) {
+    const std::span<const Stick> sticks = std::as_const(contours_).sticks();
+    for (std::size_t first = 0, count = 0; first < sticks.size(); first += count) {
+      count = batch(sticks.subspan(first), kBatch);
+      run(section, first, count);
+    }
+  }
+
+ private:
+  // How many of the first sticks, at most `most`, lie within a box of so many cells.
+  static std::size_t batch(std::span<const Stick> sticks, std::size_t most) {
+    const int extent = static_cast<int>(most);
+    auto [left, low] = std::pair(sticks[0].column, sticks[0].row);
+    auto [right, high] = std::pair(left, low);
+    std::size_t count = 1;
+    for (; count < std::min(most, sticks.size()); ++count) {
+      const Stick& s = sticks[count];
+      left = std::min(left, s.column);
+      right = std::max(right, s.column);
+      low = std::min(low, s.row);
+      high = std::max(high, s.row);
+      if (right - left > extent || high - low > extent) break;
+    }
+    return count;
+  }
 
   void run(Section& section, std::size_t first, std::size_t count) {
     const auto sticks = contours_.sticks().subspan(first, count);
@@ -24,17 +55,16 @@ class Roots {
     Section& inner = narrowed.section ? *narrowed.section : section;
     const auto places = contours_.places().subspan(first, count);
     if (by_values(inner, sticks, places)) return;
-    for (std::size_t i = 0; i < count; i += kSmallBatch) {
-      const std::size_t few = std::min(kSmallBatch, count - i);
-      by_bisection(inner, sticks.subspan(i, few), places.subspan(i, few));
+    for (std::size_t i = 0, few = 0; i < count; i += few) {
+      few = batch(sticks.subspan(i), kSmallBatch);
+      by_membership(inner, sticks.subspan(i, few), places.subspan(i, few));
     }
   }
 
- private:
   Box2 box_around(std::span<const Stick> sticks) const {
     Box2 box;
     for (const Stick& stick : sticks) {
-      box = box.with(mm(along(stick, 0))).with(mm(along(stick, SliceGrid::kUnitsPerCell)));
+      box = box.with(mm(along(stick, 0))).with(mm(along(stick, kUnits)));
     }
     return box;
   }
@@ -48,7 +78,7 @@ class Roots {
     const std::span<double> outside = std::span(values_).last(count);
     for (std::size_t i = 0; i < count; ++i) put(i, sticks[i], 0);
     if (!section.evaluate(xs_, ys_, inside)) return false;
-    for (std::size_t i = 0; i < count; ++i) put(i, sticks[i], SliceGrid::kUnitsPerCell);
+    for (std::size_t i = 0; i < count; ++i) put(i, sticks[i], kUnits);
     section.evaluate(xs_, ys_, outside);
     open_.clear();
     for (std::size_t i = 0; i < count; ++i) open_.push_back({i, Bracket(inside[i], outside[i])});
@@ -77,21 +107,46 @@ class Roots {
     open_.erase(open_.begin() + static_cast<std::ptrdiff_t>(left), open_.end());
   }
 
-  void by_bisection(Section& outer, std::span<const Stick> sticks, std::span<Place> places) {
+  void by_membership(Section& outer, std::span<const Stick> sticks, std::span<Place> places) {
     const Section::Narrowed narrowed = outer.narrowed(box_around(sticks));
     Section& section = narrowed.section ? *narrowed.section : outer;
-    xs_.resize(sticks.size());
-    ys_.resize(sticks.size());
-    inside_end_.assign(sticks.size(), 0);
-    inside_.resize(sticks.size());
-    for (std::int32_t half = SliceGrid::kUnitsPerCell / 2; half > 0; half /= 2) {
-      for (std::size_t i = 0; i < sticks.size(); ++i) put(i, sticks[i], inside_end_[i] + half);
-      section.classify(xs_, ys_, inside_);
-      for (std::size_t i = 0; i < sticks.size(); ++i) {
-        if (inside_[i] != 0) inside_end_[i] += half;
-      }
+    for (std::size_t i = 0; i < sticks.size(); ++i) {
+      const auto guessed = by_guess(section, sticks[i]);
+      places[i] = Place::clamped(guessed ? *guessed : by_halving(section, sticks[i]));
     }
-    std::transform(inside_end_.begin(), inside_end_.end(), places.begin(), &Place::clamped);
+  }
+
+  // The inside end of a change that the section knew of.
+  std::optional<std::int32_t> by_guess(Section& section, Stick stick) {
+    section.guess_changes(mm(along(stick, 0)), mm(along(stick, kUnits)), shares_);
+    const std::size_t tries = std::min(shares_.size(), kGuessesMax);
+    for (std::size_t i = 0; i < tries; ++i) {
+      const double at = std::clamp(shares_[i] * kUnits, 0.0, kUnits - 1.0);
+      const auto k = static_cast<std::int32_t>(at);
+      const bool here = contains(section, stick, k);
+      const std::int32_t inside = here ? k : k - 1;
+      if (here != contains(section, stick, here ? k + 1 : k - 1)) return inside;
+      // Rounding may have put it one further on.
+      if (here && k + 2 <= kUnits && !contains(section, stick, k + 2)) return k + 1;
+    }
+    return {};
+  }
+
+  std::int32_t by_halving(Section& section, Stick stick) {
+    std::int32_t inside = 0;  // the other end of the bracket is 2·half farther
+    for (std::int32_t half = kUnits / 2; half > 0; half /= 2) {
+      if (contains(section, stick, inside + half)) inside += half;
+    }
+    return inside;
+  }
+
+  // The ends are known.
+  bool contains(Section& section, Stick stick, std::int32_t k) {
+    if (k <= 0 || k >= kUnits) return k <= 0;
+    const Vec2 p = mm(along(stick, k));
+    std::uint8_t inside = 0;
+    section.classify({&p.x, 1}, {&p.y, 1}, {&inside, 1});
+    return inside != 0;
   }
 
   void put(std::size_t i, Stick stick, std::int32_t k) {
@@ -112,19 +167,13 @@ class Roots {
   std::vector<double> ys_;
   std::vector<double> values_;
   std::vector<Open> open_;
-  // The bracket's inside end; its other end is half a stick, then a quarter, … farther.
-  std::vector<std::int32_t> inside_end_;
-  std::vector<std::uint8_t> inside_;
+  std::vector<double> shares_;
 };
 
 }  // namespace
 
 void place_roots(ContourSet& contours, Section& section) {
-  Roots roots(contours);
-  const std::size_t count = contours.sticks().size();
-  for (std::size_t first = 0; first < count; first += kBatch) {
-    roots.run(section, first, std::min(kBatch, count - first));
-  }
+  Roots(contours).run(section);
 }
 
 }  // namespace slipstick

@@ -45,7 +45,7 @@ struct MaterialSettings {
 };
 
 /// Where vertices sit on their sticks (ALGORITHMS C2, C3).
-enum class Placement : std::uint8_t { kRoots, kSliding, kProjection, kMidpoints };
+enum class Placement : std::uint8_t { kRoots, kSliding, kProjection, kLaplacian, kMidpoints };
 
 /// How contours get fewer edges.
 enum class Simplification : std::uint8_t { kFewest, kVsa, kGreedy, kNone };
@@ -61,7 +61,7 @@ struct SlicingSettings {
   int alpha = 10;            ///< The paper's clustering ratio: one proxy for so many edges.
   double tolerance = 0.025;  ///< mm: Fréchet bound between simplified and placed contours.
   Placement place = Placement::kRoots;
-  Simplification simplify = Simplification::kVsa;
+  Simplification simplify = Simplification::kFewest;
   Ambiguity ambiguity = Ambiguity::kSolid;
   double regularize = 0;  ///< mm: radius of the ball that opens and closes the solid; 0 is none.
   Certification certify = Certification::kReport;

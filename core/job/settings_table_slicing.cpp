@@ -3,7 +3,8 @@
 namespace slipstick {
 namespace {
 
-constexpr std::string_view kPlacements[] = {"roots", "sliding", "projection", "midpoints"};
+constexpr std::string_view kPlacements[] = {"roots", "sliding", "projection", "laplacian",
+                                            "midpoints"};
 constexpr std::string_view kSimplifications[] = {"fewest", "vsa", "greedy", "none"};
 constexpr std::string_view kAmbiguities[] = {"solid", "void"};
 constexpr std::string_view kCertifications[] = {"strict", "report", "off"};

@@ -15,7 +15,8 @@ struct Line {
   double y;
   double offset;
 
-  [[nodiscard]] bool in_front(double px, double py) const { return (x * px + y * py) + offset > 0; }
+  [[nodiscard]] double value(Vec2 p) const { return (x * p.x + y * p.y) + offset; }
+  [[nodiscard]] bool in_front(double px, double py) const { return value({px, py}) > 0; }
 };
 
 Line line_at(const PlacedBspNode& node, double z) {
@@ -131,6 +132,32 @@ void BspSection::classify(std::span<const double> xs, std::span<const double> ys
       at = line_at(node, z_).in_front(xs[i], ys[i]) ? node.front : node.back;
     }
     inside[i] = at == kBspInside ? 1 : 0;
+  }
+}
+
+// Where the way crosses the planes that it meets on its way down, whether they change anything or
+// not.
+void BspSection::guess_changes(Vec2 from, Vec2 to, std::vector<double>& shares) {
+  shares.clear();
+  pieces_.assign(1, {root_, 0, 1});
+  while (!pieces_.empty()) {
+    const Piece piece = pieces_.back();
+    pieces_.pop_back();
+    if (piece.at < 0) continue;
+    const PlacedBspNode& node = (*nodes_)[static_cast<std::size_t>(piece.at)];
+    const Line line = line_at(node, z_);
+    const double first = line.value(from + piece.begin * (to - from));
+    const double last = line.value(from + piece.end * (to - from));
+    if (first > 0 && last > 0) {
+      pieces_.push_back({node.front, piece.begin, piece.end});
+    } else if (!(first > 0 || last > 0)) {
+      pieces_.push_back({node.back, piece.begin, piece.end});
+    } else {
+      const double share = piece.begin + first / (first - last) * (piece.end - piece.begin);
+      shares.push_back(share);
+      pieces_.push_back({first > 0 ? node.front : node.back, piece.begin, share});
+      pieces_.push_back({first > 0 ? node.back : node.front, share, piece.end});
+    }
   }
 }
 

@@ -29,12 +29,21 @@ class BspSection final : public Section {
   void classify(std::span<const double> xs, std::span<const double> ys,
                 std::span<std::uint8_t> inside) override;
   [[nodiscard]] Narrowed narrowed(const Box2& box) override;
+  void guess_changes(Vec2 from, Vec2 to, std::vector<double>& shares) override;
   bool paint(BitImage& image) override;
 
  private:
+  // What is left of a way below a node, as shares of it.
+  struct Piece {
+    BspChild at;
+    double begin;
+    double end;
+  };
+
   std::shared_ptr<const PlacedBspNodes> nodes_;
   BspChild root_;
   double z_;
+  std::vector<Piece> pieces_;
 };
 
 }  // namespace slipstick

@@ -13,9 +13,8 @@ namespace {
 
 class MeshSolid final : public Solid {
  public:
-  MeshSolid(std::shared_ptr<const TriangleMesh> mesh, const Affine3& map, Closedness closedness,
-            Winding winding)
-      : mesh_(std::move(mesh)), closedness_(closedness), winding_(winding) {
+  MeshSolid(std::shared_ptr<const TriangleMesh> mesh, const Affine3& map, Winding winding)
+      : mesh_(std::move(mesh)), winding_(winding) {
     vertices_.reserve(mesh_->vertices.size());
     for (const Vec3 p : mesh_->vertices) {
       vertices_.push_back(map(p));
@@ -35,7 +34,7 @@ class MeshSolid final : public Solid {
   [[nodiscard]] std::unique_ptr<Section> section(double z) const override {
     std::vector<OutlineSegment> segments;
     by_z_.for_each_near(z, [&](std::uint32_t i) { add_cut(segments, mesh_->triangles[i], z); });
-    return std::make_unique<OutlineSection>(std::move(segments), closedness_, winding_);
+    return std::make_unique<OutlineSection>(std::move(segments), winding_);
   }
 
  private:
@@ -67,7 +66,6 @@ class MeshSolid final : public Solid {
   }
 
   std::shared_ptr<const TriangleMesh> mesh_;
-  Closedness closedness_;
   Winding winding_;
   std::vector<Vec3> vertices_;
   Box3 bounds_;
@@ -117,8 +115,7 @@ Box3 MeshModel::bounds_under(const Affine3& map) const {
 }
 
 std::shared_ptr<const Solid> MeshModel::placed(const Affine3& map) const {
-  const Closedness closedness = closed() ? Closedness::kClosed : Closedness::kOpen;
-  return std::make_shared<MeshSolid>(mesh_, map, closedness, winding_);
+  return std::make_shared<MeshSolid>(mesh_, map, winding_);
 }
 
 std::string MeshModel::size_text() const {

@@ -41,7 +41,7 @@ class IntervalIndex {
 
   [[nodiscard]] static std::size_t first_cell(int level) { return (std::size_t{1} << level) - 1; }
   [[nodiscard]] std::size_t cell_of(double value, int level) const {
-    const double cells = std::ldexp(1.0, level);
+    const double cells = static_cast<double>(std::uint32_t{1} << level);
     const double cell = std::floor((value - low_) * per_range_ * cells);
     return static_cast<std::size_t>(std::clamp(cell, 0.0, cells - 1));
   }

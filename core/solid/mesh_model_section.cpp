@@ -1,7 +1,9 @@
 #include "core/solid/mesh_model_section.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
+#include <utility>
 
 #include "core/base/check.h"
 #include "core/image/bit_image.h"
@@ -26,9 +28,8 @@ double crossing_x(const OutlineSegment& s, double y) {
 
 }  // namespace
 
-OutlineSection::OutlineSection(std::vector<OutlineSegment> segments, Closedness closedness,
-                               Winding winding, int turns)
-    : segments_(std::move(segments)), closedness_(closedness), winding_(winding), turns_(turns) {}
+OutlineSection::OutlineSection(std::vector<OutlineSegment> segments, Winding winding)
+    : segments_(std::move(segments)), winding_(winding) {}
 
 int OutlineSection::counted(int turn) const {
   return winding_ == Winding::kNonzero ? turn : 1;
@@ -46,31 +47,77 @@ void OutlineSection::classify(std::span<const double> xs, std::span<const double
   }
 }
 
-// Segments above, below and to the right of the box never count in it and are dropped; those that
-// pass it on the left from below to above count for all its points, so their turns are kept and not
-// they. If none of the others touches it, a closed outline passes it on the left as a whole, so
-// that all its points have one answer; an open one may end there.
+// Where the way meets segments, whether they change anything or not.
+void OutlineSection::guess_changes(Vec2 from, Vec2 to, std::vector<double>& shares) {
+  shares.clear();
+  const bool along_x = from.y == to.y;
+  const double begin = along_x ? from.x : from.y, end = along_x ? to.x : to.y;
+  const double low = std::min(begin, end), high = std::max(begin, end);
+  const auto add = [&](double at) {
+    if (at >= low && at <= high) shares.push_back((at - begin) / (end - begin));
+  };
+  if (along_x) {
+    find_row(from.y);
+    for (const double x : row_) add(x);
+    return;
+  }
+  for (const OutlineSegment& s : segments_) {
+    if (s.high.y < low || s.low.y > high) continue;
+    if ((s.low.x <= from.x) == (s.high.x <= from.x)) continue;
+    add(s.low.y + (from.x - s.low.x) / (s.high.x - s.low.x) * (s.high.y - s.low.y));
+  }
+  for (const Step& step : left_) add(step.y);
+}
+
+// Segments above, below and to the right of the box never count in it and are dropped; of those on
+// its left only the turns are kept. Where those are the same in all rows and no segment reaches the
+// box, all its points have one answer; a level edge is no segment, but a change from row to row.
 Section::Narrowed OutlineSection::narrowed(const Box2& box) {
-  std::vector<OutlineSegment> kept;
-  bool touched = false;
-  int turns = turns_;
+  std::vector<OutlineSegment> near, on_the_left;
   for (const OutlineSegment& s : segments_) {
     if (s.high.y <= box.low.y || s.low.y > box.high.y) continue;
     if (std::min(s.low.x, s.high.x) > box.high.x) continue;
-    const bool on_the_left = std::max(s.low.x, s.high.x) < box.low.x;
-    touched = touched || !on_the_left;
-    if (on_the_left && s.low.y <= box.low.y && s.high.y > box.high.y) {
-      turns += counted(s.turn);
-    } else {
-      kept.push_back(s);
-    }
+    (std::max(s.low.x, s.high.x) < box.low.x ? on_the_left : near).push_back(s);
   }
-  if (kept.empty()) return {is_inside(turns) ? Cover::kInside : Cover::kOutside, nullptr};
-  if (!touched && closedness_ == Closedness::kClosed) {
-    return {contains(box.low) ? Cover::kInside : Cover::kOutside, nullptr};
+  const bool none = near.empty();
+  auto inner = std::make_unique<OutlineSection>(std::move(near), winding_);
+  inner->left_ = left_;
+  inner->leave_out(on_the_left, box);
+  const bool inside = is_inside(inner->turns_left_of(box.low.y));
+  const auto is_same = [&](const Step& step) { return is_inside(step.turns) == inside; };
+  if (none && std::all_of(inner->left_.begin(), inner->left_.end(), is_same)) {
+    return {inside ? Cover::kInside : Cover::kOutside, nullptr};
   }
-  return {Cover::kMixed,
-          std::make_unique<OutlineSection>(std::move(kept), closedness_, winding_, turns)};
+  return {Cover::kMixed, std::move(inner)};
+}
+
+// Adds the turns of `segments` to those left out already, for the rows of `box`. Along a chain one
+// segment begins where another ends, so that only its ends and turning points remain.
+void OutlineSection::leave_out(const std::vector<OutlineSegment>& segments, const Box2& box) {
+  std::vector<Step> changes;
+  const auto change = [&](double y, int turns) {
+    if (y <= box.high.y) changes.push_back({std::max(y, box.low.y), turns});
+  };
+  int before = 0;
+  for (const Step& step : left_) change(step.y, step.turns - std::exchange(before, step.turns));
+  for (const OutlineSegment& s : segments) {
+    change(s.low.y, counted(s.turn));
+    change(s.high.y, -counted(s.turn));
+  }
+  std::sort(changes.begin(), changes.end(), [](const Step& a, const Step& b) { return a.y < b.y; });
+  left_.clear();
+  int turns = 0;
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    turns += changes[i].turns;
+    if (i + 1 < changes.size() && changes[i + 1].y == changes[i].y) continue;
+    if (left_.empty() || turns != left_.back().turns) left_.push_back({changes[i].y, turns});
+  }
+}
+
+int OutlineSection::turns_left_of(double y) const {
+  const auto next = std::upper_bound(left_.begin(), left_.end(), y,
+                                     [](double at, const Step& step) { return at < step.y; });
+  return next == left_.begin() ? 0 : std::prev(next)->turns;
 }
 
 bool OutlineSection::paint(BitImage& image) {
@@ -128,15 +175,15 @@ void OutlineSection::find_row(double y) {
     }
     by_y_.for_each_near(y, [&](std::uint32_t i) { add(segments_[i]); });
   }
-  find_changes();
+  find_changes(y);
 }
 
 // Crossings at one place count together, so that shells that touch have no void between them.
-void OutlineSection::find_changes() {
+void OutlineSection::find_changes(double y) {
   std::sort(crossings_.begin(), crossings_.end(),
             [](const Crossing& a, const Crossing& b) { return a.x < b.x; });
   row_.clear();
-  int turns = turns_;
+  int turns = turns_left_of(y);
   bool inside = is_inside(turns);
   if (inside) row_.push_back(-std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < crossings_.size(); ++i) {

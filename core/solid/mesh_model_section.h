@@ -15,9 +15,6 @@ struct OutlineSegment {
   int turn = 1;  ///< 1 where the outline runs upwards, -1 where it runs downwards.
 };
 
-/// Whether every row crosses the outline an even number of times.
-enum class Closedness : std::uint8_t { kOpen, kClosed };
-
 /// Which crossings make a point inside: those at or to the left of it in its row.
 enum class Winding : std::uint8_t {
   kNonzero,  ///< Where their turns do not add up to 0: overlapping shells are one solid.
@@ -27,13 +24,12 @@ enum class Winding : std::uint8_t {
 /// The inside of an outline. A segment crosses the rows low.y <= y < high.y.
 class OutlineSection final : public Section {
  public:
-  /// \param turns of segments left out, which every point lies to the right of.
-  OutlineSection(std::vector<OutlineSegment> segments, Closedness closedness, Winding winding,
-                 int turns = 0);
+  OutlineSection(std::vector<OutlineSegment> segments, Winding winding);
 
   void classify(std::span<const double> xs, std::span<const double> ys,
                 std::span<std::uint8_t> inside) override;
   [[nodiscard]] Narrowed narrowed(const Box2& box) override;
+  void guess_changes(Vec2 from, Vec2 to, std::vector<double>& shares) override;
   /// Fills the runs between changes.
   bool paint(BitImage& image) override;
 
@@ -46,16 +42,24 @@ class OutlineSection final : public Section {
     int turn;
   };
 
+  // Segments left out, which every point lies to the right of: what their turns add up to in rows
+  // from `y` on.
+  struct Step {
+    double y;
+    int turns;
+  };
+
   [[nodiscard]] int counted(int turn) const;
+  [[nodiscard]] int turns_left_of(double y) const;
+  void leave_out(const std::vector<OutlineSegment>& segments, const Box2& box);
   [[nodiscard]] bool is_inside(int turns) const;
-  void find_changes();
+  void find_changes(double y);
   void find_row(double y);
   [[nodiscard]] bool contains(Vec2 p);
 
   std::vector<OutlineSegment> segments_;
-  Closedness closedness_;
   Winding winding_;
-  int turns_;
+  std::vector<Step> left_;  // by y; 0 below the first
   IntervalIndex by_y_;
   bool indexed_ = false;
   // The row asked last, its crossings, and where it goes in or out, in order.

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/affine.h"
 #include "core/base/box.h"
@@ -53,6 +54,13 @@ class Section {
   virtual bool evaluate(std::span<const double> /*xs*/, std::span<const double> /*ys*/,
                         std::span<double> /*values*/) {
     return false;
+  }
+
+  /// Where membership may change on the way from one point to another along x or y, as shares of
+  /// the way, in any order; for solids without values that know better than halving. A guess: it
+  /// may be empty, rounded or of no use, and callers ask `classify` on both sides.
+  virtual void guess_changes(Vec2 /*from*/, Vec2 /*to*/, std::vector<double>& shares) {
+    shares.clear();
   }
 
   /// Sets the bits of all nodes within the ring of `image`, which is empty, for solids that know

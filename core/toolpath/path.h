@@ -27,6 +27,13 @@ struct Bead {
   bool closed = false;
 };
 
+/// A bead that is as good as a point, as wide as `width`. It has a length, for without one it would
+/// have no plastic: half its width, which makes it about as much as a disc holds.
+[[nodiscard]] inline Bead dot(Vec2 at, double width, Role role) {
+  const Vec2 half{width / 4, 0};
+  return {{at - half, at + half}, {width}, role, false};
+}
+
 /// All that is laid on one layer, in the order of printing.
 struct LayerToolpaths {
   int layer = 0;

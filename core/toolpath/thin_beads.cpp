@@ -42,7 +42,7 @@ class BeadMaker {
     bead.closed = chain.closed;
     const std::vector<std::size_t> corners = corners_of(chain);
     for (const std::size_t i : corners) bead.points.push_back(mm(chain.nodes[i]));
-    if (corners.size() == 1) return speck(bead, width(depth(chain.nodes[0])));
+    if (corners.size() == 1) return dot(bead.points[0], width(depth(chain.nodes[0])), bead.role);
     for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
       bead.widths.push_back(width(room(chain, corners[i], corners[i + 1])));
     }
@@ -113,14 +113,6 @@ class BeadMaker {
       if (std::abs(room - here) > kTaper * here) return false;
     }
     return true;
-  }
-
-  // A bead must have a length to have plastic.
-  [[nodiscard]] static Bead speck(Bead bead, double width) {
-    const double half = width / 4;
-    bead.points = {bead.points[0] - Vec2{half, 0}, bead.points[0] + Vec2{half, 0}};
-    bead.widths = {width};
-    return bead;
   }
 
   const ThinRegion& thin_;

@@ -124,6 +124,7 @@ Reply parse_reply(std::string_view line) {
   if (text.starts_with("Cap:")) return parse_capability(text);
   if (text == "start") return Start{};
   if (text == "wait") return Wait{};
+  if (const auto position = parse_position(text)) return PositionReport{*position};
   if (auto temperatures = parse_temperatures(text)) return *std::move(temperatures);
   return Unknown{std::string(text)};
 }

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "drivers/marlin/framing.h"
+#include "drivers/marlin/position.h"
 #include "drivers/marlin/temperatures.h"
 
 namespace slipstick {
@@ -73,6 +74,12 @@ struct Action {
   friend bool operator==(const Action&, const Action&) = default;
 };
 
+/// `X:0.00 Y:0.00 Z:0.00 E:0.00 Count …`, from M114. All four are there.
+struct PositionReport {
+  Position position;
+  friend bool operator==(const PositionReport&, const PositionReport&) = default;
+};
+
 /// The line of M115 with the firmware's name.
 struct FirmwareName {
   std::string name;
@@ -96,14 +103,15 @@ struct Wait {
   friend bool operator==(const Wait&, const Wait&) = default;
 };
 
-/// Anything else: positions, tables, or a line damaged on its way.
+/// Anything else: tables, or a line damaged on its way.
 struct Unknown {
   std::string text;
   friend bool operator==(const Unknown&, const Unknown&) = default;
 };
 
-using Reply = std::variant<Ok, Resend, LineError, Fatal, ErrorText, Busy, UnknownCommand, Echo,
-                           Action, FirmwareName, Capability, Temperatures, Start, Wait, Unknown>;
+using Reply =
+    std::variant<Ok, Resend, LineError, Fatal, ErrorText, Busy, UnknownCommand, Echo, Action,
+                 PositionReport, FirmwareName, Capability, Temperatures, Start, Wait, Unknown>;
 
 /// Reads one line without its end. Total: every line is a reply, if only an `Unknown` one.
 [[nodiscard]] Reply parse_reply(std::string_view line);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
 
 namespace slipstick {
@@ -10,9 +11,13 @@ namespace slipstick {
 inline constexpr std::array<std::string_view, 4> kSafeStopLines{"M104 S0", "M140 S0", "M107",
                                                                 "M84"};
 
-/// The same as bytes without numbers, for when there is no sender to number them: after it gave up,
-/// from a signal handler, from a fresh process. Marlin takes unnumbered lines at any time.
+/// The same as bytes without numbers, for when there is no time to number them: from a signal
+/// handler. Marlin takes unnumbered lines at any time.
 inline constexpr std::string_view kSafeStopBytes = "\nM104 S0\nM140 S0\nM107\nM84\n";
+
+/// The same as bytes for a printer whose count of lines is not known: an M110 begins a new count,
+/// so that what a bad wire makes of the commands is refused rather than executed.
+[[nodiscard]] std::string numbered_safe_stop();
 
 /// The bytes that stop any Marlin at once; the newline before ends a half-written line. Without a
 /// number, because Marlin 2 looks for a numbered M112 only when its turn comes.

@@ -12,13 +12,14 @@ namespace {
 
 /// For printers without reports of their own.
 constexpr Moment kPollInterval = std::chrono::seconds(10);
-/// Noise may eat an M112 too.
-constexpr int kEmergencyStops = 5;
-constexpr Moment kEmergencyInterval = std::chrono::milliseconds(250);
+/// A firmware that does not report positions is not asked for ever.
+constexpr int kPositionRequests = 10;
+constexpr Moment kLastWordsInterval = std::chrono::milliseconds(250);
 
 }  // namespace
 
 Sender::Sender(SenderOptions options) : options_(options) {
+  SLIPSTICK_CHECK(options.first_number >= 0);
   SLIPSTICK_CHECK(options.report_seconds >= 1 && options.report_seconds <= 60);
 }
 
@@ -35,7 +36,7 @@ std::string Sender::take_output(Moment now) {
 
 std::optional<Moment> Sender::wakeup() const {
   if (over()) {
-    return emergency_stops_left_ > 0 ? std::optional(next_emergency_stop_) : std::nullopt;
+    return last_words_left_ > 0 ? std::optional(next_last_words_) : std::nullopt;
   }
   if (!started_) return Moment::zero();
   if (listening_until_) return listening_until_;
@@ -83,10 +84,14 @@ void Sender::stop() {
 }
 
 void Sender::emergency_stop() {
-  output_.clear();
-  emergency_stops_left_ = kEmergencyStops;
-  next_emergency_stop_ = Moment::zero();
   give_up(SenderState::kHalted, "emergency stop; reset the printer to go on");
+  last_words_ = kEmergencyStop;
+  last_words_left_ = kEmergencyStops;
+  next_last_words_ = Moment::zero();
+}
+
+void Sender::abandon(std::string reason) {
+  give_up(SenderState::kLost, std::move(reason));
 }
 
 std::vector<SenderEvent> Sender::take_events() {
@@ -94,7 +99,11 @@ std::vector<SenderEvent> Sender::take_events() {
 }
 
 void Sender::advance(Moment now) {
-  if (over()) return repeat_emergency_stop(now);
+  if (!over()) step(now);
+  if (over()) say_last_words(now);
+}
+
+void Sender::step(Moment now) {
   if (!started_) {
     started_ = true;
     last_heard_ = now;
@@ -115,6 +124,7 @@ void Sender::advance(Moment now) {
 
 void Sender::send_next(Moment now) {
   if (closing_ && accepted_ >= *closing_) done_ = true;
+  if (doubt_ && cursor_ == doubt_->line && !ask_about_doubt()) return;
   if (cursor_ > lines_.highest() && !bind_next(now)) return;
   transmit(now);
 }
@@ -128,6 +138,9 @@ bool Sender::bind_next(Moment now) {
   } else if (!reports_ && now >= next_poll_) {
     next_poll_ = now + kPollInterval;
     lines_.bind("M105", LineOwner::kSender);
+  } else if (queued_ && lines_.lost() && position_requests_ < kPositionRequests) {
+    ++position_requests_;
+    lines_.bind("M114", LineOwner::kSender);
   } else if (queued_) {
     lines_.bind(queued_->text(), LineOwner::kJob);
     queued_.reset();
@@ -143,7 +156,10 @@ bool Sender::bind_next(Moment now) {
 void Sender::transmit(Moment now) {
   const std::string& text = lines_.at(cursor_).text;
   output_ += frame(cursor_, text);
-  if (probes_ == 0) patience_ = patience_for(text);
+  if (probes_ == 0) {
+    patience_ = patience_for(text);
+    loose_ends_ = 0;
+  }
   outstanding_ = cursor_;
   odd_text_ = false;
   sent_at_ = now;
@@ -151,11 +167,11 @@ void Sender::transmit(Moment now) {
   ++cursor_;
 }
 
-void Sender::repeat_emergency_stop(Moment now) {
-  if (emergency_stops_left_ == 0 || now < next_emergency_stop_) return;
-  --emergency_stops_left_;
-  next_emergency_stop_ = now + kEmergencyInterval;
-  output_ += kEmergencyStop;
+void Sender::say_last_words(Moment now) {
+  if (last_words_left_ == 0 || now < next_last_words_) return;
+  --last_words_left_;
+  next_last_words_ = now + kLastWordsInterval;
+  output_ += last_words_;
 }
 
 void Sender::tell(SenderEvent event) {
@@ -170,7 +186,13 @@ void Sender::give_up(SenderState state, std::string reason) {
   if (over()) return;
   fate_ = state;
   reason_ = std::move(reason);
+  output_.clear();
   tell(SenderStopped{reason_});
+  if (state != SenderState::kLost) return;
+  // A board that was reset has no targets, but one that merely could not be understood may be hot.
+  last_words_ = (has_emergency_parser_ ? "\nM108" : "") + numbered_safe_stop();
+  last_words_left_ = kSafeStops;
+  next_last_words_ = Moment::zero();
 }
 
 }  // namespace slipstick

@@ -9,6 +9,7 @@
 #include "drivers/clock.h"
 #include "drivers/marlin/line.h"
 #include "drivers/marlin/line_splitter.h"
+#include "drivers/marlin/position.h"
 #include "drivers/marlin/reply.h"
 #include "drivers/marlin/sender_events.h"
 #include "drivers/marlin/sent_lines.h"
@@ -20,6 +21,9 @@ struct SenderOptions {
   Moment banner_wait = std::chrono::milliseconds(2500);
   /// Seconds between temperature reports, 1 to 60.
   int report_seconds = 2;
+  /// The number of the M110. From 10,000 on, damage that makes a G, M or T of the N gives no
+  /// command that any firmware has: N28 could become G28, N112 a kill.
+  LineNumber first_number = 10'000;
 };
 
 /// Takes the lines of a job to a Marlin: each executed exactly once, in order, over a wire that
@@ -45,7 +49,12 @@ class Sender {
   /// Requests for lines that cannot be meant, in a row: the number was damaged, or the board was
   /// reset.
   static constexpr int kMaxOddRequests = 4;
+  /// Questions about one line that may have been executed though it was refused.
+  static constexpr int kMaxQuestions = 20;
   static constexpr int kGreetingAttempts = 10;
+  /// How often a printer that is killed, or given up, is told so: noise may eat any of them.
+  static constexpr int kEmergencyStops = 5;
+  static constexpr int kSafeStops = 20;
   static constexpr std::size_t kMaxEvents = 256;
 
   explicit Sender(SenderOptions options = {});
@@ -76,6 +85,10 @@ class Sender {
   void stop();
   /// Kills the printer at once. The state becomes kHalted.
   void emergency_stop();
+  /// Whether the printer said that it has stopped itself.
+  [[nodiscard]] bool printer_stopped() const { return printer_stopped_; }
+  /// Gives the printer up: the state becomes kLost.
+  void abandon(std::string reason);
 
   /// What happened since the last call, oldest first, at most `kMaxEvents`.
   [[nodiscard]] std::vector<SenderEvent> take_events();
@@ -87,14 +100,23 @@ class Sender {
     std::optional<LineNumber> requested;  ///< By a Resend.
     std::optional<LineNumber> last_line;  ///< By an Error.
     bool refused = false;                 ///< Any of the two came, readable or not.
+    bool mismatch = false;  ///< By a whole "checksum mismatch": nothing of the line was executed.
+  };
+
+  /// A line that was refused, and yet may have been executed. It is not sent before that is known.
+  struct Doubt {
+    LineNumber line = 0;
+    int questions = 0;
+    std::optional<Position> report;  ///< The last one.
   };
 
   // sender.cpp: time.
   void advance(Moment now);
+  void step(Moment now);
   void send_next(Moment now);
   [[nodiscard]] bool bind_next(Moment now);
   void transmit(Moment now);
-  void repeat_emergency_stop(Moment now);
+  void say_last_words(Moment now);
   void tell(SenderEvent event);
   void give_up(SenderState state, std::string reason);
   [[nodiscard]] bool over() const { return fate_.has_value(); }
@@ -118,6 +140,7 @@ class Sender {
   void on(const UnknownCommand& command, Moment now);
   void on(const Echo& echo, Moment now);
   void on(const Action& action, Moment now);
+  void on(const PositionReport& report, Moment now);
   void on(const FirmwareName& firmware, Moment now);
   void on(const Capability& capability, Moment now);
   void on(const Temperatures& temperatures, Moment now);
@@ -134,8 +157,14 @@ class Sender {
   void finish_drain(Moment now);
   [[nodiscard]] bool can_be_next(std::optional<LineNumber> number) const;
   void rewind(LineNumber number);
+
+  // sender_ghosts.cpp: a refused line whose tail was obeyed.
+  void doubt(LineNumber next, bool refused_whole, bool lost_whole);
+  [[nodiscard]] bool ask_about_doubt();
+
   void on_odd_request(std::optional<LineNumber> number, Moment now);
   void on_silence(Moment now);
+  void ask_for_truth(Moment now);
   void probe(Moment now);
 
   const SenderOptions options_;
@@ -145,8 +174,10 @@ class Sender {
   SenderCounters counters_;
   std::optional<SenderState> fate_;  ///< kHalted or kLost, for good.
   std::string reason_;
-  int emergency_stops_left_ = 0;
-  Moment next_emergency_stop_{};
+  bool printer_stopped_ = false;
+  std::string last_words_;    ///< For a printer that is killed or given up,
+  int last_words_left_ = 0;   ///< this often,
+  Moment next_last_words_{};  ///< from then on.
 
   // Greeting.
   bool greeting_ = true;
@@ -165,6 +196,7 @@ class Sender {
   // The sequence.
   SentLines lines_;
   LineNumber cursor_ = 0;     ///< The number to send next.
+  LineNumber first_ = 0;      ///< The number of the M110.
   LineNumber accepted_ = -1;  ///< Believed to be the last the printer took.
   LineNumber sure_ = -1;  ///< Known to be taken; a request for it or less is nonsense or a reset.
   LineNumber last_clean_ = -2;  ///< The last that was acknowledged with nothing odd around it.
@@ -175,6 +207,10 @@ class Sender {
   Moment patience_{};
   Moment last_heard_{};
   std::optional<Drain> drain_;
+  std::optional<Doubt> doubt_;
+  int position_requests_ = 0;       ///< In a row, before two reports agree.
+  std::optional<Position> learnt_;  ///< The last report.
+  int loose_ends_ = 0;  ///< What came since the last line but probes, that may have been an `ok`.
   int probes_ = 0;
   int rewinds_ = 0;
   int odd_requests_ = 0;

@@ -21,7 +21,8 @@ enum class SenderState : std::uint8_t {
   kWaiting,    ///< The printer is at a blocking command.
   kDone,       ///< Every line of the job was surely accepted. Another job may follow.
   kHalted,     ///< The printer has killed itself, or was told to. Only a reset helps.
-  kLost,  ///< The printer was reset, or does not answer, or answers nonsense. Nothing more is sent.
+  kLost,  ///< The printer was reset, or does not answer, or answers nonsense. Nothing of the job is
+          ///< sent any more; for a while the printer is told to switch off its heaters.
 };
 
 /// The printer's name, from M115.
@@ -74,6 +75,7 @@ struct SenderCounters {
   std::uint64_t lines_acknowledged =
       0;                             ///< Lines of the job the printer is believed to have taken.
   std::uint64_t resends = 0;         ///< Lines sent again, of any kind.
+  std::uint64_t ghosts = 0;          ///< Lines executed without their number, not sent again.
   std::uint64_t probes = 0;          ///< Questions after a silence.
   std::uint64_t surplus_oks = 0;     ///< `ok`s that answered nothing.
   std::uint64_t unreadable = 0;      ///< Replies nobody understood, most of them damaged.

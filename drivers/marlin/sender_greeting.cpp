@@ -2,7 +2,7 @@
 
 #include "drivers/marlin/sender.h"
 
-// The greeting: listen for the banner, number the lines from 0, ask for the name, arm the reports.
+// The greeting: listen for the banner, number the lines, ask for the name, arm the reports.
 // Nothing here moves or heats, so on any trouble it simply begins again.
 
 namespace slipstick {
@@ -34,14 +34,16 @@ void Sender::listen_to_banner(Moment now) {
 void Sender::say_hello(Moment now) {
   listening_until_.reset();
   booting_ = false;
-  lines_ = SentLines();
-  cursor_ = 0;
-  accepted_ = sure_ = -1;
+  first_ = options_.first_number;
+  lines_ = SentLines(first_);
+  cursor_ = first_;
+  accepted_ = sure_ = first_ - 1;
   last_clean_ = -2;
   probes_ = rewinds_ = odd_requests_ = 0;
   name_requests_ = 0;
   reports_asked_ = false;
-  lines_.bind("M110 N0", LineOwner::kSender);
+  doubt_.reset();
+  lines_.bind("M110 N" + std::to_string(first_), LineOwner::kSender);
   output_ += "\n";  // Ends whatever half a line stands in the printer's buffer.
   transmit(now);
 }
@@ -55,7 +57,7 @@ void Sender::greet_again(Moment now) {
 }
 
 bool Sender::bind_greeting(Moment now) {
-  if (lines_.highest() >= kGreetingLines) {
+  if (lines_.highest() >= first_ + kGreetingLines) {
     greet_again(now);
     return false;
   }
@@ -65,8 +67,9 @@ bool Sender::bind_greeting(Moment now) {
   } else if (reports_ && !reports_asked_) {
     reports_asked_ = true;
     lines_.bind("M155 S" + std::to_string(options_.report_seconds), LineOwner::kSender);
-  } else if (sure_ < 1) {
-    // Once line 1 is surely taken, a request for it can only mean that the board was reset.
+  } else if (sure_ < first_ + 1) {
+    // Once the line after the M110 is surely taken, a request for it can only mean that the board
+    // was reset.
     lines_.bind("M105", LineOwner::kSender);
   } else {
     greeting_ = false;

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "drivers/marlin/sender.h"
 
@@ -30,7 +31,8 @@ void Sender::finish_drain(Moment now) {
   const Drain seen = *drain_;
   drain_.reset();
   if (!seen.refused) return;
-  outstanding_.reset();
+  const auto refused = std::exchange(outstanding_, std::nullopt);
+  const bool silent = probes_ > 0 && loose_ends_ == 0;
   probes_ = 0;
   const auto by_error = seen.last_line ? std::optional(*seen.last_line + 1) : std::nullopt;
   const bool request_fits = can_be_next(seen.requested);
@@ -48,7 +50,8 @@ void Sender::finish_drain(Moment now) {
     rewinds_ = 0;
   }
   odd_requests_ = 0;
-  rewind(next);
+  doubt(next, seen.mismatch && next == refused, silent && accepted_ < next);
+  if (!over()) rewind(next);
 }
 
 bool Sender::can_be_next(std::optional<LineNumber> number) const {
@@ -93,9 +96,17 @@ void Sender::on_silence(Moment now) {
     deadline_ = now + kAliveWindow;
   } else {
     give_up(SenderState::kLost, fmt::format("the printer has not answered since line {}; check the "
-                                            "cable and the power",
+                                            "cable and the power; its heaters may still be on",
                                             accepted_));
   }
+}
+
+void Sender::ask_for_truth(Moment now) {
+  ++loose_ends_;
+  ++probes_;
+  ++counters_.probes;
+  probe(now);
+  tell(ProbeSent{*outstanding_});
 }
 
 void Sender::probe(Moment now) {

@@ -28,15 +28,21 @@ bool Sender::answers(const Ok& ok) const {
 
 void Sender::on(const Ok& ok, Moment now) {
   if (ok.temperatures) tell(TemperaturesSeen{*ok.temperatures});
-  if (answers(ok)) return acknowledge(*outstanding_, now);
+  if (answers(ok)) {
+    // Perhaps it answers what noise made of the line: nothing of the job goes out before that is
+    // known, or noise could make an unnumbered command of the next line too, and of that alone.
+    const bool doubtful = odd_text_ && !greeting_ && ok.bare;
+    return doubtful ? ask_for_truth(now) : acknowledge(*outstanding_, now);
+  }
   if (over() || listening_until_) return;
   if (!drain_) ++counters_.surplus_oks;
+  if (!drain_) ++loose_ends_;
   // The printer is awake: an M105 that is not answered by now was lost.
   if (outstanding_) deadline_ = std::min(deadline_, now + kSettle);
 }
 
 void Sender::acknowledge(LineNumber number, Moment now) {
-  if (number == 0 && odd_text_) return greet_again(now);
+  if (number == first_ && odd_text_) return greet_again(now);
   accepted_ = number;
   counters_.lines_acknowledged = lines_.at(number).job_lines;
   outstanding_.reset();
@@ -51,7 +57,7 @@ void Sender::acknowledge(LineNumber number, Moment now) {
     last_clean_ = number;
     odd_requests_ = 0;
   }
-  const bool late_answers_possible = probes_ > 0 || number == 0 || number == closing_;
+  const bool late_answers_possible = probes_ > 0 || number == first_ || number == closing_;
   probes_ = 0;
   if (late_answers_possible) start_drain(now);
 }
@@ -67,11 +73,13 @@ void Sender::on(const LineError& error, Moment now) {
   if (over() || listening_until_) return;
   if (!drain_) start_drain(now);
   drain_->refused = true;
+  drain_->mismatch = error.text.starts_with("Error:checksum mismatch, Last Line: ");
   if (error.last_line) drain_->last_line = error.last_line;
 }
 
 void Sender::on(const Fatal& fatal, Moment /*now*/) {
-  emergency_stops_left_ = 0;
+  last_words_left_ = 0;
+  printer_stopped_ = true;
   if (over()) return tell(MessageSeen{fatal.text});
   give_up(SenderState::kHalted, "the printer stopped itself: " + fatal.text);
 }
@@ -86,6 +94,7 @@ void Sender::on(const Busy& /*busy*/, Moment now) {
 
 void Sender::on(const UnknownCommand& command, Moment /*now*/) {
   odd_text_ = true;
+  if (!drain_) ++loose_ends_;
   tell(MessageSeen{command.text});
 }
 
@@ -111,6 +120,7 @@ void Sender::on(const Wait& /*wait*/, Moment now) {
 
 void Sender::on(const Unknown& /*unknown*/, Moment /*now*/) {
   odd_text_ = true;
+  if (!drain_) ++loose_ends_;
   ++counters_.unreadable;
 }
 

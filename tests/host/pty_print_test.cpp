@@ -55,7 +55,7 @@ TEST_CASE("A noisy terminal loses no line") {
   std::ofstream(path) << program(100);
 
   const auto done =
-      beside_printer(folder.path(), "seed=3&corrupt=0.002", "print " + path.string() + " --json");
+      beside_printer(folder.path(), "seed=6&corrupt=0.002", "print " + path.string() + " --json");
 
   INFO(done.err);
   REQUIRE(done.status == 0);

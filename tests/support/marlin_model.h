@@ -1,8 +1,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 #include <deque>
 #include <optional>
 #include <set>
@@ -16,7 +19,12 @@
 namespace slipstick {
 
 /// What a model does with a damaged line that Marlin's checksum, or the lack of one, lets through.
-enum class Undetected : std::uint8_t { kRefuse, kObey };
+/// A ghost is the command of a line without its number, because a newline cut that off or it was
+/// lost: then nothing is checked. kObeyGhosts obeys it if it is whole.
+enum class Undetected : std::uint8_t { kRefuse, kObeyGhosts, kObey };
+
+/// What a board throws away of the bytes behind a line that it refuses: what has arrived.
+enum class Flush : std::uint8_t { kByChance, kAll, kNothing };
 
 struct MarlinModelOptions {
   /// Marlin 2.1.2 and later drop the last two numbers without a word.
@@ -24,6 +32,7 @@ struct MarlinModelOptions {
   /// 2.0.8 sends no ok behind a Resend.
   bool ok_after_resend = true;
   Undetected undetected = Undetected::kRefuse;
+  Flush flush = Flush::kByChance;
 };
 
 /// The front of Marlin's firmware as a host sees it: line check, command queue of one, replies.
@@ -37,7 +46,11 @@ class MarlinModel {
   void announce(std::string_view frames) {
     for (std::size_t at = 0; at < frames.size();) {
       const std::size_t end = std::min(frames.find('\n', at), frames.size());
-      authentic_.emplace(frames.substr(at, end - at));
+      const std::string_view line = frames.substr(at, end - at);
+      authentic_.emplace(line);
+      const std::size_t blank = std::min(line.find(' '), line.size());
+      const std::size_t star = std::min(line.find('*'), line.size());
+      authentic_.emplace(line.substr(std::min(blank + 1, star), star - std::min(blank + 1, star)));
       at = end + 1;
     }
   }
@@ -64,13 +77,14 @@ class MarlinModel {
     std::optional<Moment> next;
     const auto consider = [&](Moment at) { next = next ? std::min(*next, at) : at; };
     if (!due_.empty()) consider(due_.front().at);
-    if (received_.find('\n') != std::string::npos) consider(busy_until_);
-    if (report_interval_ > Moment::zero()) consider(next_report_);
+    if (!halted_ && received_.find_first_of("\r\n") != std::string::npos) consider(busy_until_);
+    if (!halted_ && report_interval_ > Moment::zero()) consider(next_report_);
     return next;
   }
 
   /// A watchdog or a brown-out. Whether its `start` is heard is the wire's business.
   void reset(Moment now) {
+    nozzle_on_ = bed_on_ = false;
     last_line_ = 0;
     received_.clear();
     report_interval_ = Moment::zero();
@@ -79,7 +93,21 @@ class MarlinModel {
     say(now, "start\nPowerUp\nMarlin 2.1.2\n");
   }
 
-  void halt() { halted_ = true; }
+  /// Dead without a word: heaters stay as they are, as nobody looks after them.
+  void halt() {
+    halted_ = true;
+    due_.clear();
+  }
+
+  /// A thermal fault, or M112: heaters off, a last word, silence.
+  void kill(Moment now, std::string_view cause) {
+    due_.clear();
+    say(now, std::string(cause) + "Error:Printer halted. kill() called!\n");
+    nozzle_on_ = bed_on_ = false;
+    halted_ = true;
+  }
+
+  bool heats() const { return nozzle_on_ || bed_on_; }
 
   /// The texts of all numbered lines, in the order in which they were executed.
   const std::vector<std::string>& executed() const { return executed_; }
@@ -100,13 +128,13 @@ class MarlinModel {
 
   void run(Moment now) {
     while (!halted_ && busy_until_ <= now) {
-      const std::size_t end = received_.find('\n');
+      const std::size_t end = received_.find_first_of("\r\n");
       if (end == std::string::npos) break;
       const std::string line = received_.substr(0, end);
       received_.erase(0, end + 1);
       take_line(line, now);
     }
-    while (report_interval_ > Moment::zero() && next_report_ <= now) {
+    while (!halted_ && report_interval_ > Moment::zero() && next_report_ <= now) {
       say(next_report_, " T:201.50 /200.00 B:60.01 /60.00 @:64 B@:12\n");
       next_report_ += report_interval_;
     }
@@ -129,7 +157,7 @@ class MarlinModel {
     if (!sum_fits(line, star)) return refuse("checksum mismatch", now);
     if (!passes) {
       ++undetected_;
-      if (options_.undetected == Undetected::kRefuse) return refuse("checksum mismatch", now);
+      if (options_.undetected != Undetected::kObey) return refuse("checksum mismatch", now);
     }
     last_line_ = number;
     std::string_view text = line.substr(0, star);
@@ -146,13 +174,22 @@ class MarlinModel {
   }
 
   void take_unnumbered(std::string_view line, Moment now) {
-    const bool command = line.size() > 1 && (line[0] == 'G' || line[0] == 'M' || line[0] == 'T') &&
-                         line[1] >= '0' && line[1] <= '9';
+    if (line == "M112") return kill(now, "");
+    const bool letter = line[0] == 'G' || line[0] == 'M' || line[0] == 'T';
+    const std::size_t digits = std::min(line.find_first_not_of("0123456789", 1), line.size()) - 1;
+    constexpr std::size_t kLongestCode = 3;
+    const bool command = letter && digits > 0 && digits <= kLongestCode;
     if (command) {
       ++undetected_;
-      if (options_.undetected == Undetected::kObey) {
-        const std::string_view text = line.substr(0, line.find('*'));
-        executed_.emplace_back(text);
+      const std::string_view text = line.substr(0, line.find('*'));
+      const bool ghost = authentic_.contains(std::string(text));
+      if (options_.undetected == Undetected::kObey ||
+          (options_.undetected == Undetected::kObeyGhosts && ghost)) {
+        if (text.starts_with("M110 N")) {
+          last_line_ = std::strtoll(std::string(text.substr(6)).c_str(), nullptr, 10);
+        } else {
+          executed_.emplace_back(text);
+        }
         return execute(text, now);
       }
     }
@@ -161,7 +198,10 @@ class MarlinModel {
 
   /// Empties the receive buffer, or not quite: the rest of the bytes may still be under way.
   void refuse(const std::string& cause, Moment now) {
-    received_.erase(0, rng_.below(2) == 0 ? received_.size() : rng_.below(received_.size() + 1));
+    const bool chance = options_.flush == Flush::kByChance;
+    const auto dice = chance ? rng_.below(3) : static_cast<std::uint64_t>(options_.flush);
+    if (dice == 0) received_.erase(0, rng_.below(received_.size() + 1));
+    if (dice == 1) received_.clear();
     const std::string last = std::to_string(last_line_);
     const std::string next = std::to_string(last_line_ + 1);
     say(now, "Error:" + cause + ", Last Line: " + last + "\n");
@@ -170,6 +210,16 @@ class MarlinModel {
   }
 
   void execute(std::string_view text, Moment now) {
+    if (text.starts_with("G1 ")) move(text.substr(3));
+    if (text == "G28") at_ = {0, 0, 0, at_[3]};
+    if (text == "M114") {
+      char report[96];
+      std::snprintf(report, sizeof report, "X:%.2f Y:%.2f Z:%.2f E:%.2f Count X:0 Y:0 Z:0\n",
+                    at_[0], at_[1], at_[2], at_[3]);
+      say(now, report);
+    }
+    if (text.starts_with("M104 S")) nozzle_on_ = text != "M104 S0";
+    if (text.starts_with("M140 S")) bed_on_ = text != "M140 S0";
     if (text == "M105") return say(now, "ok T:201.50 /200.00 B:60.01 /60.00 @:64 B@:12\n");
     if (text == "M115") {
       say(now,
@@ -183,6 +233,18 @@ class MarlinModel {
     if (text == "G28") return block(std::chrono::milliseconds(15'500), now);
     if (text.starts_with("G4")) return block(std::chrono::milliseconds(3'100), now);
     say(now, "ok\n");
+  }
+
+  /// Absolute places, relative extrusion: the jobs of the tests.
+  void move(std::string_view words) {
+    while (!words.empty()) {
+      const std::size_t axis = std::string_view("XYZE").find(words.front());
+      const double value = std::strtod(std::string(words.substr(1)).c_str(), nullptr);
+      if (axis < 3) at_[axis] = value;
+      if (axis == 3) at_[axis] += value;
+      words.remove_prefix(std::min(words.find(' '), words.size()));
+      words.remove_prefix(std::min(words.find_first_not_of(' '), words.size()));
+    }
   }
 
   void block(Moment duration, Moment now) {
@@ -206,60 +268,9 @@ class MarlinModel {
   Moment report_interval_{};
   Moment next_report_{};
   bool halted_ = false;
-};
-
-/// A wire that damages bytes: each, with the given probability, is changed, lost, doubled or
-/// followed by another; whole oks get lost on their own.
-class FaultyWire {
- public:
-  FaultyWire(double damage, double lost_oks, std::uint64_t seed)
-      : damage_(damage), lost_oks_(lost_oks), rng_(seed) {}
-
-  std::string pass(std::string_view bytes) {
-    std::string passed;
-    for (const char byte : without_some_oks(bytes)) {
-      if (damage_ == 0 || rng_.unit() >= damage_) {
-        passed += byte;
-        continue;
-      }
-      ++faults_;
-      switch (rng_.below(5)) {
-        case 0:
-          passed += static_cast<char>(static_cast<unsigned char>(byte) ^ (1U << rng_.below(8)));
-          break;
-        case 1:
-          passed += static_cast<char>(rng_.below(256));
-          break;
-        case 2:
-          passed.append(2, byte);
-          break;
-        case 3:
-          passed += byte;
-          passed += static_cast<char>(rng_.below(256));
-          break;
-        default:
-          break;
-      }
-    }
-    return passed;
-  }
-
-  std::uint64_t faults() const { return faults_; }
-
- private:
-  std::string without_some_oks(std::string_view bytes) {
-    std::string kept(bytes);
-    if (lost_oks_ > 0 && kept.ends_with("ok\n") && rng_.unit() < lost_oks_) {
-      kept.resize(kept.size() - 3);
-      ++faults_;
-    }
-    return kept;
-  }
-
-  double damage_;
-  double lost_oks_;
-  Rng rng_;
-  std::uint64_t faults_ = 0;
+  std::array<double, 4> at_{};  ///< X, Y, Z, E.
+  bool nozzle_on_ = false;
+  bool bed_on_ = false;
 };
 
 }  // namespace slipstick

@@ -28,7 +28,7 @@ std::string content(const std::filesystem::path& path) {
 Finished run(const std::vector<std::string>& arguments) {
   const TemporaryFolder folder;
   const std::filesystem::path out = folder.path() / "out", err = folder.path() / "err";
-  std::vector<std::string> words{"timeout", "120"};
+  std::vector<std::string> words{"timeout", "300"};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "core/contour/audit.h"
+#include "core/contour/place_laplacian.h"
 #include "core/contour/place_smooth.h"
 #include "core/contour/simplify.h"
 #include "core/contour/trace.h"
@@ -33,13 +34,15 @@ void place_anyhow(ContourSet& contours, Rng& rng) {
 }
 
 void place(ContourSet& contours, Rng& rng) {
-  switch (rng.below(4)) {
+  switch (rng.below(5)) {
     case 0:
       return;
     case 1:
       return place_sliding(contours);
     case 2:
       return place_projection(contours);
+    case 3:
+      return place_laplacian(contours);
     default:
       return place_anyhow(contours, rng);
   }

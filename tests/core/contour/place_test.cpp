@@ -1,11 +1,19 @@
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numbers>
 
+#include "core/contour/audit.h"
+#include "core/contour/place_laplacian.h"
 #include "core/contour/place_roots.h"
 #include "core/contour/place_smooth.h"
 #include "core/contour/simplify.h"
 #include "core/contour/trace.h"
 #include "core/image/sample.h"
+#include "core/solid/bsp_build.h"
+#include "core/solid/bsp_model.h"
+#include "core/solid/mesh_model.h"
+#include "tests/support/outlines.h"
+#include "tests/support/shapes.h"
 
 using namespace slipstick;
 
@@ -44,7 +52,63 @@ double worst_error(const Outline& outline) {
   return worst;
 }
 
+bool contains(Section& section, const SliceGrid& grid, GridPoint p) {
+  const double x = grid.x_of(p.x), y = grid.y_of(p.y);
+  std::uint8_t inside = 0;
+  section.classify({&x, 1}, {&y, 1}, {&inside, 1});
+  return inside != 0;
+}
+
+// Planes through vertices of the mesh, in between, and near its end.
+void check_parted(const Solid& solid, const test::Shape& shape) {
+  const Box3 box = solid.bounds();
+  const auto grid = SliceGrid::over({{box.low.x, box.low.y}, {box.high.x, box.high.y}}, kWidth);
+  for (const double share : {0.01, 0.5, 0.77}) {
+    INFO(shape.name << " at " << share);
+    const auto section = solid.section(box.low.z + share * box.size().z);
+    ContourSet contours = trace(*sample(*section, *grid), Ambiguity::kSolid);
+    place_roots(contours, *section);
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < contours.sticks().size(); ++i) {
+      const Stick stick = contours.sticks()[i];
+      const std::int32_t k = contours.places()[i].value();
+      // Places stop short of the nodes.
+      const bool inside = k == Place::kLowest || contains(*section, *grid, along(stick, k));
+      const bool outside = k == Place::kHighest || !contains(*section, *grid, along(stick, k + 1));
+      if (!inside || !outside) ++wrong;
+    }
+    CHECK(wrong == 0);
+  }
+}
+
 }  // namespace
+
+TEST_CASE("Roots of a mesh and of its tree part inside from outside, between neighbouring places") {
+  for (const test::Shape& shape : test::shapes()) {
+    const TriangleMesh mesh = test::mesh_of(shape, 12);
+    const auto tree = bsp_of(mesh);
+    REQUIRE(tree);
+    check_parted(*MeshModel(mesh).placed({}), shape);
+    check_parted(*(*BspModel::of(*tree))->placed({}), shape);
+  }
+}
+
+TEST_CASE("Ordinary Laplacian smoothing shrinks a disc; brought back, it still parts the samples") {
+  ContourSet contours = disc_contours();
+  const std::vector<Vec2> smoothed = free_laplacian(contours, contours.loops()[0]);
+
+  double area = 0;
+  for (std::size_t i = 0; i < smoothed.size(); ++i) {
+    area += 0.5 * cross(smoothed[i], smoothed[(i + 1) % smoothed.size()]) * kWidth * kWidth;
+  }
+  CHECK(area < 0.99 * std::numbers::pi * kRadius * kRadius);
+
+  place_laplacian(contours);
+  Disc disc(kRadius);
+  CHECK(audit_samples(test::audit_loops_of(keep_all(contours).outline),
+                      *sample(disc, contours.grid()))
+            .empty());
+}
 
 TEST_CASE("Roots lie on the boundary to a part in 65536 of a cell") {
   Disc disc(kRadius);

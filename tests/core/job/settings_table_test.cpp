@@ -105,7 +105,7 @@ TEST_CASE("Each word of a choice can be chosen and no other") {
     }
   }
   CHECK(error_of("place", "somewhere") ==
-        "place: must be one of roots, sliding, projection, midpoints");
+        "place: must be one of roots, sliding, projection, laplacian, midpoints");
 }
 
 TEST_CASE("Each setting writes its own member and no other's") {

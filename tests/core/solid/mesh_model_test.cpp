@@ -193,7 +193,7 @@ TEST_CASE("A narrowed section answers as the whole one, however often it was nar
       segments.push_back({{whole(), y}, {whole(), y + 1 + whole()}, rng.below(2) == 0 ? 1 : -1});
     }
     const auto winding = rng.below(2) == 0 ? Winding::kNonzero : Winding::kParity;
-    OutlineSection section(segments, Closedness::kOpen, winding);
+    OutlineSection section(segments, winding);
     const Vec2 low{whole(), whole()}, size{whole(), whole()};
     const Box2 box{low, low + size}, inner{low + 0.25 * size, low + 0.75 * size};
     const auto outer = section.narrowed(box);
@@ -222,14 +222,20 @@ TEST_CASE("Where no outline is near, one answer covers the box") {
   CHECK(section->narrowed({{1, 11}, {9, 12}}).cover == Cover::kOutside);
   CHECK(section->narrowed({{-2, 1}, {-1, 9}}).cover == Cover::kOutside);
   CHECK(section->narrowed({{9, 9}, {11, 11}}).cover == Cover::kMixed);
+  // Level edges, which no row crosses.
+  CHECK(section->narrowed({{2, -1}, {3, 0}}).cover == Cover::kMixed);
+  CHECK(section->narrowed({{2, 9}, {3, 11}}).cover == Cover::kMixed);
 }
 
-TEST_CASE("Nothing is certain beside an open mesh") {
+TEST_CASE("A box is one even beside an open mesh, if no row changes in it") {
   TriangleMesh mesh = box_mesh({10, 10, 10});
   mesh.triangles.pop_back();
   const auto section = MeshModel(mesh).placed({})->section(5);
 
-  CHECK(section->narrowed({{1, 1}, {9, 9}}).cover == Cover::kMixed);
+  const Cover covered = section->narrowed({{1, 1}, {9, 9}}).cover;
+  for (const Vec2 p : {Vec2{1, 1}, Vec2{9, 1}, Vec2{5, 5}, Vec2{1, 9}, Vec2{9, 9}}) {
+    if (covered != Cover::kMixed) CHECK((covered == Cover::kInside) == inside(*section, p));
+  }
   CHECK(section->narrowed({{-2, 1}, {-1, 9}}).cover == Cover::kOutside);
 }
 

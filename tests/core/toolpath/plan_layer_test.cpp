@@ -2,10 +2,12 @@
 #include "core/toolpath/plan_layer.h"
 
 #include <catch2/catch.hpp>
+#include <numbers>
 
 #include "core/contour/simplify.h"
 #include "core/contour/trace.h"
 #include "core/region/level.h"
+#include "core/toolpath/flow.h"
 #include "sim/judge.h"
 #include "tests/support/images.h"
 
@@ -28,7 +30,32 @@ std::vector<ExtrudedSegment> segments_of(const LayerToolpaths& layer) {
   return segments;
 }
 
+double volume_of(const LayerToolpaths& layer) {
+  double volume = 0;
+  for (const ExtrudedSegment& s : segments_of(layer)) {
+    volume += bead_area(s.width, kHeight) * length(s.b - s.a);
+  }
+  return volume;
+}
+
 }  // namespace
+
+TEST_CASE("An island that a ring of no length would fit into is laid as a dot") {
+  BitImage image(test::small_grid(3, 3));
+  image.set(3, 3, true);
+  const Outline outline = keep_all(trace(image, Ambiguity::kSolid)).outline;
+  const double depth = 0.0625 * std::numbers::sqrt2 / 2;  // of the one node in a square on edge
+  PrintSettings settings;
+  settings.toolpath.line_width = 2 * (depth - 0.0005) - settings.slicing.tolerance;
+
+  const LayerToolpaths layer =
+      plan_layer({1, 0.4, kHeight, image, outline, image, image}, settings);
+
+  const double width = settings.toolpath.line_width;
+  REQUIRE(!layer.beads.empty());
+  CHECK(layer.beads[0].role == Role::kOuterPerimeter);
+  CHECK(volume_of(layer) == Approx(bead_area(width, kHeight) * width / 2));
+}
 
 TEST_CASE("Any layer is laid with the components and holes of its contours") {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {

@@ -74,7 +74,7 @@ TEST_CASE("Temperatures are read from reports, not from positions") {
   CHECK(std::isnan(read<Temperatures>("T:nan /0").hotend->celsius));
   CHECK(read<Temperatures>("T:2\xff.1 /0 B:60.00 /60.00").hotend == std::nullopt);
   (void)read<Unknown>("Count A:0 B:0 C:0");
-  (void)read<Unknown>("X:0.00 Y:0.00 Z:0.00 E:0.00 Count X:0 Y:0 Z:0");
+  (void)read<PositionReport>("X:0.00 Y:0.00 Z:0.00 E:0.00 Count X:0 Y:0 Z:0");
 }
 
 TEST_CASE("The rest of what Marlin says has its kind") {

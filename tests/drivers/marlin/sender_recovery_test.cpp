@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "drivers/marlin/safe_stop.h"
 #include "tests/drivers/marlin/sender_talk.h"
 
 namespace slipstick {
@@ -26,7 +27,7 @@ TEST_CASE("A refused line is sent again after quiet, whether or not an ok follow
   CHECK(talk.sender.counters().resends == 1);
 }
 
-TEST_CASE("An ok for garbage is no proof: the next line's refusal takes both back") {
+TEST_CASE("An ok for garbage is no proof: a probe's refusal takes it back") {
   Talk talk;
   talk.greet();
   talk.job("G1 X1");
@@ -34,14 +35,16 @@ TEST_CASE("An ok for garbage is no proof: the next line's refusal takes both bac
   talk.says("echo:Unknown command: \"L3 G1 X1\"");
   talk.says("ok");
   talk.job("G1 X2");
-  talk.expects(frame(4, "G1 X2"));
+  talk.expects(frame(4, "M105"));
 
   talk.refuses(2, "Line Number is not Last Line Number+1");
-  talk.silence(60ms);
+  talk.is_asked_and_stands_at(3, "X:0.00 Y:0.00 Z:0.00 E:0.00");
 
-  talk.expects(frame(3, "G1 X1"));
+  talk.expects(frame(5, "G1 X1"));
   talk.says("ok");
-  talk.expects(frame(4, "G1 X2"));
+  talk.expects(frame(6, "M105"));
+  talk.says("ok T:20.00 /0.00");
+  talk.expects(frame(7, "G1 X2"));
 }
 
 TEST_CASE("A lost ok is found out by a new number, never by the same line again") {
@@ -72,11 +75,11 @@ TEST_CASE("A line that never arrived is found out by the probe and sent again wi
   talk.expects(frame(4, "M105"));
 
   talk.refuses(2, "Line Number is not Last Line Number+1");
-  talk.silence(60ms);
+  talk.is_asked_and_stands_at(3, "X:0.00 Y:0.00 Z:0.00 E:0.00");
 
-  talk.expects(frame(3, "G1 X1"));
+  talk.expects(frame(5, "G1 X1"));
   talk.says("ok");
-  talk.expects(frame(4, "M105"));
+  talk.expects(frame(6, "M105"));
 }
 
 TEST_CASE("The late ok of a slow line is not taken for the probe's") {
@@ -144,15 +147,18 @@ TEST_CASE("A garbled request is corrected by the last line") {
   talk.expects(frame(14, "G1 X2"));
 }
 
-TEST_CASE("start in a job means that everything is lost and nothing more is sent") {
+TEST_CASE("start in a job means that everything is lost: heaters off, nothing more of the job") {
   Talk talk;
   talk.greet();
   talk.job("G1 X1");
   talk.expects(frame(3, "G1 X1"));
 
   talk.says("start");
-  talk.silence(1h);
 
+  for (int time = 0; time < Sender::kSafeStops; ++time) {
+    talk.expects("\nM108" + numbered_safe_stop());
+    talk.silence(1h);
+  }
   talk.expects("");
   CHECK(talk.sender.state() == SenderState::kLost);
   CHECK(
@@ -175,7 +181,7 @@ TEST_CASE("A reset whose start was lost is known by its request for line 1") {
   talk.refuses(0, "Line Number is not Last Line Number+1");
   talk.silence(60ms);
 
-  talk.expects("");
+  talk.expects("\nM108" + numbered_safe_stop());
   CHECK(talk.sender.state() == SenderState::kLost);
 }
 

@@ -49,7 +49,18 @@ class Talk {
     says("ok");
   }
 
-  Sender sender;
+  /// Is asked, twice from `number` on, where the nozzle is.
+  void is_asked_and_stands_at(LineNumber number, std::string_view position) {
+    for (const LineNumber question : {number, number + 1}) {
+      silence(std::chrono::milliseconds(60));
+      expects(frame(question, "M114"));
+      says(std::string(position) + " Count X:0 Y:0 Z:0");
+      says("ok");
+    }
+  }
+
+  /// Numbers from 0, so that they can be read.
+  Sender sender{{.first_number = 0}};
   Moment now{};
 };
 

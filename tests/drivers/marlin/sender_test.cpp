@@ -40,7 +40,7 @@ TEST_CASE("A silent printer is greeted again, then given up") {
   int hellos = 0;
   for (int turn = 0; turn < 1000 && talk.sender.state() == SenderState::kGreeting; ++turn) {
     talk.now = talk.sender.wakeup().value_or(talk.now);
-    if (!talk.sender.take_output(talk.now).empty()) ++hellos;
+    if (talk.sender.take_output(talk.now) == "\nN0 M110 N0*125\n") ++hellos;
   }
 
   CHECK(hellos == Sender::kGreetingAttempts);
@@ -179,6 +179,54 @@ TEST_CASE("An emergency stop goes out at once and again until the printer has di
   talk.expects("");
   CHECK(talk.sender.state() == SenderState::kHalted);
   CHECK(talk.sender.wakeup() == std::nullopt);
+}
+
+TEST_CASE("From every state the first bytes after an emergency stop are the raw M112") {
+  const auto bring_to = GENERATE(
+      as<void (*)(Talk&)>(), [](Talk&) {},   // closed
+      [](Talk& talk) { talk.expects(""); },  // greeting
+      [](Talk& talk) { talk.greet(); },      // ready
+      [](Talk& talk) {
+        talk.greet();
+        talk.job("G1 X1");
+      },
+      [](Talk& talk) {
+        talk.greet();
+        talk.job("M109 S200");
+        talk.expects(frame(3, "M109 S200"));
+      },
+      [](Talk& talk) {
+        talk.greet();
+        talk.job("G1 X1");
+        talk.expects(frame(3, "G1 X1"));
+        talk.refuses(2);
+      },
+      [](Talk& talk) {
+        talk.greet();
+        talk.job("G1 X1");
+        talk.expects(frame(3, "G1 X1"));
+        talk.silence(6s);
+        talk.expects(frame(4, "M105"));
+      },
+      [](Talk& talk) {
+        talk.greet();
+        talk.sender.stop();
+      },
+      [](Talk& talk) {
+        talk.greet();
+        talk.sender.abandon("test");
+      },
+      [](Talk& talk) {
+        talk.greet();
+        talk.says("Error:Printer halted. kill() called!");
+      });
+  Talk talk;
+  bring_to(talk);
+
+  talk.sender.emergency_stop();
+
+  talk.expects("\nM112\n");
+  CHECK((talk.sender.state() == SenderState::kHalted || talk.sender.state() == SenderState::kLost));
 }
 
 TEST_CASE("Events nobody takes are bounded") {
