@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <string>
 #include <thread>
 
 #include "host/interrupt.h"
@@ -25,6 +26,7 @@ constexpr milliseconds kHungryWait{5};        // how often to look for a line th
 constexpr milliseconds kPausedNap{20};  // in virtual time, which would fly while nothing is sent
 constexpr seconds kStopPatience{30};    // for the safe end after a failure
 constexpr milliseconds kDtrPulse{100};
+constexpr const char* kMaybeHot = "; the printer's heaters may still be on";
 
 class Stream {
  public:
@@ -51,7 +53,7 @@ class Stream {
       if (stop_deadline_ && clock_.now() > *stop_deadline_) sender_.abandon("it does not stop");
       if (const auto ok = read(); !ok) return out_of_reach(ok.error());
     }
-    if (failure_) return fail(*failure_);
+    if (failure_) return failed("heaters are off");
     outcome_.counters = sender_.counters();
     outcome_.seconds = std::chrono::duration<double>(clock_.now() - began_).count();
     return outcome_;
@@ -63,9 +65,9 @@ class Stream {
     if (wish == PrintControl::Wish::kEmergencyStop || Interrupt::urgent()) {
       kill();
     } else if (wish == PrintControl::Wish::kCancel) {
-      give_up({ErrorCode::kCancelled, "cancelled; heaters are off"});
+      give_up({ErrorCode::kCancelled, "cancelled"});
     }
-    if (Interrupt::requested()) give_up({ErrorCode::kCancelled, "interrupted; heaters are off"});
+    if (Interrupt::requested()) give_up({ErrorCode::kCancelled, "interrupted"});
   }
 
   // Before everything that waits: what has not left this machine is forgotten.
@@ -118,7 +120,14 @@ class Stream {
       reset_board();
       failure_->message = "the printer did not confirm the emergency stop: switch it off";
     }
-    return fail(failure_.value_or(Error{ErrorCode::kPrinter, sender_.reason()}));
+    if (killed_) return fail(*failure_);
+    return failed(sender_.printer_stopped() ? sender_.reason() : sender_.reason() + kMaybeHot);
+  }
+
+  // Why the print ends early, and how that left the printer: never said before it is known.
+  tl::unexpected<Error> failed(const std::string& how) const {
+    if (!failure_) return fail(ErrorCode::kPrinter, how);
+    return fail(failure_->code, failure_->message + "; " + how);
   }
 
   // The last resort: whatever the firmware is at, a reset switches the heaters off.
@@ -130,10 +139,10 @@ class Stream {
     transport_.set_dtr(true);
   }
 
-  Result<StreamOutcome> out_of_reach(Error error) {
+  Result<StreamOutcome> out_of_reach(const Error& error) {
     if (error.code == ErrorCode::kTimedOut) reset_board();
-    error.message += "; the printer's heaters may still be on";
-    return fail(failure_.value_or(std::move(error)));
+    if (!failure_) return fail(error.code, error.message + kMaybeHot);
+    return failed(error.message + kMaybeHot);
   }
 
   Result<void> write() {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -142,7 +143,13 @@ Result<void> SimTransport::write_all(std::string_view bytes, std::chrono::micros
 
 void SimTransport::run_down(Moment most) {
   const Moment deadline = printer_.now() + most;
-  while (!shut_down_ && printer_.now() < deadline && !printer_.machine().planner.idle()) {
+  const auto moves = [this] {
+    return !printer_.machine().halted && !printer_.machine().planner.idle();
+  };
+  std::array<char, 256> unheard{};
+  while (!shut_down_ && printer_.now() < deadline && moves()) {
+    // What it says meanwhile would be due again and again, and no time would pass.
+    static_cast<void>(printer_.take(unheard));
     pass_time(deadline);
   }
 }

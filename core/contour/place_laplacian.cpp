@@ -9,8 +9,6 @@
 namespace slipstick {
 namespace {
 
-constexpr double kRate = 0.4;              // the paper's τ
-constexpr double kMeanMovementEnd = 1e-3;  // of a cell
 constexpr auto kCell = static_cast<double>(SliceGrid::kUnitsPerCell);
 
 // \return how far the vertices moved on average.
@@ -19,7 +17,7 @@ double round_of(std::vector<Vec2>& loop, std::vector<Vec2>& next) {
   double movement = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const Vec2 before = loop[i == 0 ? n - 1 : i - 1], after = loop[i + 1 == n ? 0 : i + 1];
-    next[i] = loop[i] + kRate * (0.5 * (before + after) - loop[i]);
+    next[i] = loop[i] + kSmoothingRate * (0.5 * (before + after) - loop[i]);
     movement += length(next[i] - loop[i]);
   }
   loop.swap(next);
@@ -47,7 +45,7 @@ std::vector<Vec2> free_laplacian(const ContourSet& contours, const ContourSet::L
   for (std::size_t i = 0; i < loop.count; ++i)
     vertices.push_back(at(position(sticks[i], places[i])));
   for (int round = 0; round < kSmoothingRoundsMax; ++round) {
-    if (round_of(vertices, next) < kMeanMovementEnd) break;
+    if (round_of(vertices, next) < kSmoothingMovementEnd) break;
   }
   return vertices;
 }

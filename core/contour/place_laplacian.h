@@ -11,9 +11,8 @@ namespace slipstick {
 /// Ordinary Laplacian smoothing, for comparison with the paper's (section 4, fig. 10 b): nothing
 /// keeps a vertex on its stick, and contours shrink.
 ///
-/// Each vertex moves by τ = 0.4 of the way to the middle of its neighbours a round, all at once,
-/// until they move by less than 10^-3 of a cell on average, or for `kSmoothingRoundsMax` rounds
-/// (place_smooth.h).
+/// Each vertex moves towards the middle of its neighbours, at the rate and until the end that
+/// place_smooth.h names.
 
 /// Where the vertices of `loop` go, in cells from the lattice's first node. They may cross each
 /// other and samples.

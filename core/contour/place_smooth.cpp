@@ -9,8 +9,6 @@
 namespace slipstick {
 namespace {
 
-constexpr double kRate = 0.4;              // the paper's τ
-constexpr double kMeanMovementEnd = 1e-3;  // of a cell
 constexpr auto kCell = static_cast<double>(SliceGrid::kUnitsPerCell);
 
 // A stick with its vertex at inside + t·(outside - inside), in cells.
@@ -58,7 +56,7 @@ double round_of(std::vector<Sliding>& loop, std::vector<double>& next, Target ta
   for (std::size_t i = 0; i < n; ++i) {
     const Vec2 before = loop[i == 0 ? n - 1 : i - 1].vertex();
     const Vec2 after = loop[i + 1 == n ? 0 : i + 1].vertex();
-    next[i] = kept_open(loop[i].t + kRate * (target(loop[i], before, after) - loop[i].t));
+    next[i] = kept_open(loop[i].t + kSmoothingRate * (target(loop[i], before, after) - loop[i].t));
     movement += std::abs(next[i] - loop[i].t);
   }
   for (std::size_t i = 0; i < n; ++i) loop[i].t = next[i];
@@ -70,7 +68,7 @@ void smooth(ContourSet& contours, Target target) {
     std::vector<Sliding> cells = cells_of(contours, loop);
     std::vector<double> next(cells.size());
     for (int round = 0; round < kSmoothingRoundsMax; ++round) {
-      if (round_of(cells, next, target) < kMeanMovementEnd) break;
+      if (round_of(cells, next, target) < kSmoothingMovementEnd) break;
     }
     const auto places = contours.places(loop);
     std::transform(cells.begin(), cells.end(), places.begin(),

@@ -1,5 +1,7 @@
 #include "core/solid/bsp_build.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/check.h"
 #include "core/solid/bsp_cell.h"
 #include "core/solid/mesh_model.h"
 
@@ -18,7 +21,6 @@ constexpr std::size_t kFew = 6;
 // A plane across a cell must leave this share of the polygons on one side alone, or it is of no
 // use.
 constexpr double kUseful = 0.9;
-constexpr int kDepthMax = BspTree::kDepthMax - 8;
 
 struct Polygon {
   std::vector<Vec3> corners;
@@ -101,32 +103,30 @@ Split best_split(const Polygons& polygons) {
 
 class Builder {
  public:
-  explicit Builder(const TriangleMesh& mesh) : solid_(MeshModel(mesh).placed({})) {}
+  Builder(const TriangleMesh& mesh, int depth_max)
+      : solid_(MeshModel(mesh).placed({})), depth_max_(depth_max) {}
 
   // Appends the tree of a cell; what it is if it is one leaf.
   BspChild build(const BspCell& cell, Polygons polygons, int depth) {
-    if (polygons.empty() || depth == kDepthMax) return inside(cell.middle());
+    if (polygons.empty()) return inside(cell.middle());
+    if (depth == depth_max_) {
+      too_deep_ = true;
+      return kBspOutside;
+    }
     const Split split = best_split(polygons);
     const BspCell front_cell = cell.behind_of(flipped(split.plane));
     const BspCell back_cell = cell.behind_of(split.plane);
-    auto [front, back] = divided(polygons, split.plane);
+    auto parts = divided(polygons, split.plane);
     polygons = {};  // not held while its parts are built
-    if (front_cell.empty()) return build_rest(cell, back_cell, std::move(back), depth);
-    if (back_cell.empty()) return build_rest(cell, front_cell, std::move(front), depth);
+    if (front_cell.empty()) return build_rest(cell, back_cell, std::move(parts.second), depth);
+    if (back_cell.empty()) return build_rest(cell, front_cell, std::move(parts.first), depth);
 
-    const std::size_t node = nodes_.size();
-    nodes_.push_back({split.plane});
-    const BspChild in_front = build(front_cell, std::move(front), depth + 1);
-    const BspChild behind = build(back_cell, std::move(back), depth + 1);
-    if (in_front < 0 && in_front == behind) {
-      nodes_.resize(node);
-      return in_front;
-    }
-    nodes_[node].front = in_front;
-    nodes_[node].back = behind;
-    return static_cast<BspChild>(node);
+    return append_node(
+        nodes_, split.plane, [&] { return build(front_cell, std::move(parts.first), depth + 1); },
+        [&] { return build(back_cell, std::move(parts.second), depth + 1); });
   }
 
+  [[nodiscard]] bool too_deep() const { return too_deep_; }
   [[nodiscard]] std::vector<BspNode> take() { return std::move(nodes_); }
 
  private:
@@ -156,6 +156,8 @@ class Builder {
 
   std::shared_ptr<const Solid> solid_;
   std::vector<BspNode> nodes_;
+  int depth_max_;
+  bool too_deep_ = false;
 };
 
 std::optional<Polygon> polygon_of(Vec3 a, Vec3 b, Vec3 c) {
@@ -168,7 +170,8 @@ std::optional<Polygon> polygon_of(Vec3 a, Vec3 b, Vec3 c) {
 
 }  // namespace
 
-Result<BspTree> bsp_of(const TriangleMesh& mesh) {
+Result<BspTree> bsp_of(const TriangleMesh& mesh, int depth_max) {
+  SLIPSTICK_CHECK(depth_max > 0 && depth_max <= BspTree::kDepthMax);
   if (const std::string warning = MeshModel(mesh).warning(); !warning.empty()) {
     return fail(ErrorCode::kInput, warning);
   }
@@ -185,9 +188,15 @@ Result<BspTree> bsp_of(const TriangleMesh& mesh) {
   constexpr double kMargin = 0.01;
   const double margin = kMargin * std::max({size.x, size.y, size.z});
   const Vec3 more{margin, margin, margin};
-  Builder builder(mesh);
+  Builder builder(mesh, depth_max);
   // Inside cells never reach the margin, so that the tree needs no planes for the box.
   builder.build(BspCell({box.low - more, box.high + more}), std::move(polygons), 0);
+  if (builder.too_deep()) {
+    return fail(ErrorCode::kInput,
+                fmt::format("its tree would be deeper than {} planes: too many faces lie within "
+                            "rounding of each other; print it as a mesh",
+                            depth_max));
+  }
   return BspTree::of(builder.take());
 }
 

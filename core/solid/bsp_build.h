@@ -16,7 +16,9 @@ namespace slipstick {
 /// `MeshModel`, at the middle of the cell, so that rounding can only matter within cells as thin as
 /// it; siblings that are the same are one.
 ///
-/// \return kInput if the mesh has open edges: it has no inside.
-[[nodiscard]] Result<BspTree> bsp_of(const TriangleMesh& mesh);
+/// \return kInput if the mesh has open edges, and so no inside, or if its faces lie so close
+/// together that a path of the tree would be longer than `depth_max`.
+[[nodiscard]] Result<BspTree> bsp_of(const TriangleMesh& mesh,
+                                     int depth_max = BspTree::kDepthMax - 8);
 
 }  // namespace slipstick

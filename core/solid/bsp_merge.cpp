@@ -44,17 +44,9 @@ class Merger {
     const BspCell front = cell.behind_of(flipped(from.plane)), back = cell.behind_of(from.plane);
     if (front.empty()) return go_on(from.back, back.empty() ? cell : back);
     if (back.empty()) return go_on(from.front, front);
-    const std::size_t node = nodes_.size();
-    nodes_.push_back({from.plane});
-    const BspChild in_front = go_on(from.front, front);
-    const BspChild behind = go_on(from.back, back);
-    if (in_front < 0 && in_front == behind) {
-      nodes_.resize(node);
-      return in_front;
-    }
-    nodes_[node].front = in_front;
-    nodes_[node].back = behind;
-    return static_cast<BspChild>(node);
+    return append_node(
+        nodes_, from.plane, [&] { return go_on(from.front, front); },
+        [&] { return go_on(from.back, back); });
   }
 
   const BspTree& a_;

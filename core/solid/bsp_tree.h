@@ -31,6 +31,23 @@ struct BspNode {
   friend bool operator==(const BspNode&, const BspNode&) = default;
 };
 
+/// Appends a node and what `front` and `back`, called in this order, append below it. A node whose
+/// sides are one and the same leaf is left out. \return Where a path goes on.
+template <typename Front, typename Back>
+BspChild append_node(std::vector<BspNode>& nodes, const BspPlane& plane, Front front, Back back) {
+  const std::size_t node = nodes.size();
+  nodes.push_back({plane});
+  const BspChild in_front = front();
+  const BspChild behind = back();
+  if (in_front < 0 && in_front == behind) {
+    nodes.resize(node);
+    return in_front;
+  }
+  nodes[node].front = in_front;
+  nodes[node].back = behind;
+  return static_cast<BspChild>(node);
+}
+
 /// A binary space partition: convex cells that are inside or outside (Thibault and Naylor 1987).
 ///
 /// Invariant: node 0 is the root if there is a node, every other node is the child of exactly one

@@ -80,7 +80,7 @@ void Sender::stop() {
   ended_ = true;
   done_ = false;
   const bool waiting = outstanding_ && patience_ == kBlockingPatience;
-  if (waiting && has_emergency_parser_) output_ += "M108\n";
+  if (waiting) output_ += kEndWait;
 }
 
 void Sender::emergency_stop() {
@@ -190,7 +190,7 @@ void Sender::give_up(SenderState state, std::string reason) {
   tell(SenderStopped{reason_});
   if (state != SenderState::kLost) return;
   // A board that was reset has no targets, but one that merely could not be understood may be hot.
-  last_words_ = (has_emergency_parser_ ? "\nM108" : "") + numbered_safe_stop();
+  last_words_ = numbered_safe_stop();
   last_words_left_ = kSafeStops;
   next_last_words_ = Moment::zero();
 }

@@ -190,7 +190,6 @@ class Sender {
   std::string firmware_;
   bool reports_ = false;  ///< The printer can report temperatures by itself…
   bool reports_asked_ = false;
-  bool has_emergency_parser_ = false;
   Moment next_poll_{};  ///< …otherwise it is asked, this often.
 
   // The sequence.

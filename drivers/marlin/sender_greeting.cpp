@@ -99,7 +99,6 @@ void Sender::on(const FirmwareName& firmware, Moment /*now*/) {
 
 void Sender::on(const Capability& capability, Moment /*now*/) {
   if (capability.name == "AUTOREPORT_TEMP") reports_ = capability.on;
-  if (capability.name == "EMERGENCY_PARSER") has_emergency_parser_ = capability.on;
 }
 
 }  // namespace slipstick

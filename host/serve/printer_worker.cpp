@@ -64,7 +64,6 @@ void PrinterWorker::wake() {
   {
     const std::lock_guard lock(mutex_);
     look_again_ = true;
-    idle_ = false;
   }
   changed_.notify_all();
 }
@@ -93,11 +92,6 @@ Result<void> PrinterWorker::emergency_stop() {
   return {};
 }
 
-void PrinterWorker::wait_until_idle() {
-  std::unique_lock lock(mutex_);
-  changed_.wait(lock, [this] { return idle_; });
-}
-
 void PrinterWorker::run() {
   const auto occupied = store_.bed_occupied();
   reporter_.bed(occupied && *occupied);
@@ -113,11 +107,8 @@ void PrinterWorker::run() {
 // False when the worker is to end.
 bool PrinterWorker::wait_for_work() {
   std::unique_lock lock(mutex_);
-  if (!look_again_) idle_ = true;
-  changed_.notify_all();
   changed_.wait(lock, [this] { return look_again_ || stopping_; });
   look_again_ = false;
-  idle_ = false;
   return !stopping_;
 }
 
@@ -174,7 +165,7 @@ Store::Ending PrinterWorker::ending(const Result<std::string>& printed) {
   const std::string& message = printed.error().message;
   if (printed.error().code != ErrorCode::kCancelled) return {JobState::kFailed, message, ""};
   const std::lock_guard lock(mutex_);
-  if (stopping_) return {JobState::kInterrupted, "slipstick was stopped; heaters are off", ""};
+  if (stopping_) return {JobState::kInterrupted, "slipstick was stopped: " + message, ""};
   return {JobState::kCancelled, message, ""};
 }
 

@@ -46,9 +46,6 @@ class PrinterWorker {
   /// Kills the printer, whether it prints or not. \return why it could not be told.
   [[nodiscard]] Result<void> emergency_stop();
 
-  /// Waits until no job can be begun. For tests.
-  void wait_until_idle();
-
  private:
   PrinterWorker(Options options, Store store, StatusBoard& board, EventLog& events);
   void run();
@@ -70,7 +67,6 @@ class PrinterWorker {
   std::shared_ptr<PrintControl> control_;  ///< Of the job under way.
   std::int64_t job_ = 0;
   bool look_again_ = true;
-  bool idle_ = false;
   bool stopping_ = false;
 
   std::thread thread_;  // last: it uses what stands above

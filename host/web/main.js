@@ -102,7 +102,7 @@ function showLog(text) {
 async function showFiles() {
   const {files} = await ask('GET', 'files');
   $('files').replaceChildren(...files.map(({name, size}) => row(
-    [name, `${(size / 1024).toFixed(0)} KiB`],
+    [name, size < 1024 ? `${size} B` : `${(size / 1024).toFixed(0)} KiB`],
     [
       button('Queue', `Queue ${name}`, () => queue(name, {})),
       ...(/\.(gcode|gco|g)$/i.test(name) ? [] :

@@ -31,6 +31,38 @@ class Moves final : public LineSource {
   int given_ = 0;
 };
 
+// A printer whose cable can be pulled out, or that hears nothing any more.
+class FrailTransport final : public Transport {
+ public:
+  enum class Fault { kNone, kUnplugged, kMute };
+  FrailTransport(SimTransport& sim, const Fault& fault) : sim_(sim), fault_(fault) {}
+
+  Result<std::size_t> read_some(std::span<char> buffer,
+                                std::chrono::microseconds patience) override {
+    if (fault_ == Fault::kUnplugged) return gone();
+    const auto got = sim_.read_some(buffer, patience);
+    if (got && fault_ == Fault::kMute) return fail(ErrorCode::kTimedOut, "nothing came");
+    return got;
+  }
+  Result<std::size_t> write_some(std::string_view bytes,
+                                 std::chrono::microseconds patience) override {
+    if (fault_ == Fault::kUnplugged) return gone();
+    if (fault_ == Fault::kMute) return bytes.size();
+    return sim_.write_some(bytes, patience);
+  }
+  Result<void> write_all(std::string_view bytes, std::chrono::microseconds patience) override {
+    return sim_.write_all(bytes, patience);
+  }
+  void shut_down() noexcept override { sim_.shut_down(); }
+  std::string_view name() const override { return "frail"; }
+
+ private:
+  static tl::unexpected<Error> gone() { return fail(ErrorCode::kUnavailable, "frail: gone"); }
+
+  SimTransport& sim_;
+  const Fault& fault_;
+};
+
 double nozzle_target(const SimTransport& sim) {
   return sim.printer().machine().nozzle.target();
 }
@@ -50,6 +82,35 @@ TEST_CASE("A cancelled print ends with the heaters off and sends no further line
   CHECK(outcome.error().code == ErrorCode::kCancelled);
   CHECK(moves.given() <= 52);
   CHECK(nozzle_target(sim) == 0);
+}
+
+TEST_CASE("Heaters are said to be off only where the printer has confirmed it") {
+  using Fault = FrailTransport::Fault;
+  const Fault then = GENERATE(Fault::kNone, Fault::kUnplugged, Fault::kMute);
+  Fault fault = Fault::kNone;
+  int turns = 0;  // since the request
+  PrintControl* handle = nullptr;
+  PrintControl control({{}, [&](SenderState, const SenderCounters&) {
+                          turns += handle->wish() == PrintControl::Wish::kCancel ? 1 : 0;
+                          if (turns == 2) fault = then;
+                        }});
+  handle = &control;
+  SimTransport sim(*sim_options({}));
+  FrailTransport frail(sim, fault);
+  Moves moves(100'000, [&](int line) {
+    if (line == 50) control.cancel();
+  });
+
+  const auto outcome = stream_job(frail, sim.clock(), moves, Pace::kVirtual, control);
+
+  REQUIRE(!outcome);
+  CHECK(outcome.error().code == ErrorCode::kCancelled);
+  CHECK_THAT(outcome.error().message, Contains("cancelled"));
+  const bool off = outcome.error().message.find("heaters are off") != std::string::npos;
+  const bool maybe_hot = outcome.error().message.find("may still be on") != std::string::npos;
+  CHECK(off == (then == Fault::kNone));
+  CHECK(maybe_hot == (then != Fault::kNone));
+  CHECK((!off || nozzle_target(sim) == 0));
 }
 
 TEST_CASE("A paused print sends nothing until it is resumed, and then everything") {

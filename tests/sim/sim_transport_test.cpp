@@ -126,6 +126,32 @@ TEST_CASE("Shutting down wakes a reader in real time") {
   reader.join();
 }
 
+TEST_CASE("Running down ends at a printer that was killed, whatever it still has to say") {
+  SimTransport transport({});
+  read_until(transport, "D114.00\n");
+  REQUIRE(transport.write_all("G1 X100 F600\n", kPatience));
+  read_until(transport, "ok\n");
+  REQUIRE(transport.write_all("M112\n", kPatience));
+  const Moment before = transport.printer().now();
+
+  transport.run_down(std::chrono::minutes(1));
+
+  CHECK(transport.printer().machine().halted);
+  CHECK(transport.printer().now() < before + std::chrono::seconds(10));
+}
+
+TEST_CASE("Running down passes over what nobody reads") {
+  SimTransport transport({});
+  read_until(transport, "D114.00\n");
+  REQUIRE(transport.write_all("G1 X100 F600\n", kPatience));
+  read_until(transport, "ok\n");
+  REQUIRE(transport.write_all("M115\n", kPatience));
+
+  transport.run_down(std::chrono::minutes(1));
+
+  CHECK(transport.printer().machine().planner.idle());
+}
+
 TEST_CASE("Running down lets the machine finish its moves") {
   SimTransport transport({});
   read_until(transport, "D114.00\n");

@@ -15,7 +15,8 @@ namespace slipstick {
 inline std::vector<std::string> job_lines(const std::vector<std::string>& executed) {
   std::vector<std::string> kept;
   for (const std::string& line : executed) {
-    const bool safe_end = std::ranges::find(kSafeStopLines, line) != kSafeStopLines.end();
+    const bool safe_end =
+        line == "M108" || std::ranges::find(kSafeStopLines, line) != kSafeStopLines.end();
     if (line != "M105" && line != "M114" && line != "M115" && !line.starts_with("M155") &&
         !safe_end) {
       kept.push_back(line);

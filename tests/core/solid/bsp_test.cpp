@@ -89,6 +89,16 @@ BitImage descended(Section& section, const SliceGrid& grid) {
 
 }  // namespace
 
+TEST_CASE("A tree that would be too deep is an error, not a guess") {
+  const TriangleMesh mesh = test::mesh_of(test::shapes()[1], 12);
+
+  const auto tree = bsp_of(mesh, 4);
+
+  REQUIRE(!tree);
+  CHECK(tree.error().code == ErrorCode::kInput);
+  CHECK_THAT(tree.error().message, Catch::Contains("deeper than 4 planes"));
+}
+
 TEST_CASE("Painting a section of a tree gives the bits of descending at every node") {
   Rng rng(21);
   for (int round = 0; round < 60; ++round) {

@@ -153,13 +153,18 @@ TEST_CASE("Any byte changed of all that is said about a cut line: executed once 
   }
 }
 
-TEST_CASE("A move that was obeyed though its line was refused is not made again") {
-  Talk talk;
+// One move is made, and `move` comes without its number.
+void refuse_second_move(Talk& talk, const char* move) {
   talk.greet();
   talk.prints(3, "G1 X1");
-  talk.job("G1 X2 E.4");
-  talk.expects(frame(4, "G1 X2 E.4"));
+  talk.job(move);
+  talk.expects(frame(4, move));
   talk.refuses(3, "No Checksum with line number");
+}
+
+TEST_CASE("A move that was obeyed though its line was refused is not made again") {
+  Talk talk;
+  refuse_second_move(talk, "G1 X2 E.4");
   talk.says("ok");
   talk.is_asked_and_stands_at(4, "X:2.00 Y:0.00 Z:0.00 E:0.40");
 
@@ -187,11 +192,7 @@ TEST_CASE("A retraction is told from none because the printer was asked where it
 
 TEST_CASE("Reports that fit neither place end the print, as what they tell is not known") {
   Talk talk;
-  talk.greet();
-  talk.prints(3, "G1 X1");
-  talk.job("G1 X2");
-  talk.expects(frame(4, "G1 X2"));
-  talk.refuses(3, "No Checksum with line number");
+  refuse_second_move(talk, "G1 X2");
   talk.silence(60ms);
 
   for (LineNumber question = 4; question < 4 + Sender::kMaxQuestions; ++question) {

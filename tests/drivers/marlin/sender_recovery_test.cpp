@@ -156,7 +156,7 @@ TEST_CASE("start in a job means that everything is lost: heaters off, nothing mo
   talk.says("start");
 
   for (int time = 0; time < Sender::kSafeStops; ++time) {
-    talk.expects("\nM108" + numbered_safe_stop());
+    talk.expects(numbered_safe_stop());
     talk.silence(1h);
   }
   talk.expects("");
@@ -181,7 +181,7 @@ TEST_CASE("A reset whose start was lost is known by its request for line 1") {
   talk.refuses(0, "Line Number is not Last Line Number+1");
   talk.silence(60ms);
 
-  talk.expects("\nM108" + numbered_safe_stop());
+  talk.expects(numbered_safe_stop());
   CHECK(talk.sender.state() == SenderState::kLost);
 }
 
