@@ -9,6 +9,7 @@
 #include "core/base/check.h"
 #include "sim/limit_commands.h"
 #include "sim/reports.h"
+#include "sim/service_commands.h"
 
 namespace slipstick {
 
@@ -34,8 +35,10 @@ void Executor::begin(std::string_view line, const std::optional<GcodeCommand>& c
   }
   if (command->letter() == 'G') {
     if (!run_g(*command, now)) unknown(line);
-  } else if (const auto printed = run_limit_command(*command, machine_)) {
-    text_ += *printed;
+  } else if (const auto limits = run_limit_command(*command, machine_)) {
+    text_ += *limits;
+  } else if (const auto answer = run_service_command(*command, machine_)) {
+    text_ += *answer;
   } else if (!run_motion(*command, now) && !run_heat(*command, now) && !run_talk(*command)) {
     unknown(line);
   }
@@ -54,6 +57,10 @@ bool Executor::run_g(const GcodeCommand& command, Moment now) {
     case 0:
     case 1:
       move(command);
+      return true;
+    case 2:
+    case 3:
+      arc(command);
       return true;
     case 4:
       dwell(command);
@@ -87,6 +94,10 @@ bool Executor::run_motion(const GcodeCommand& command, Moment now) {
     case 82:
     case 83:
       machine_.relative_e = command.code() == 83;
+      return true;
+    case 410:
+      wait_ = kQuickStopTime;
+      become_still(Stage::kDwell);
       return true;
     case 114:
       text_ += position_report(machine_, now);
@@ -150,12 +161,6 @@ bool Executor::run_talk(const GcodeCommand& command) {
     case 118:
       speak(command.text());
       return true;
-    case 119:
-      text_ += "Reporting endstop status\nx_min: open\ny_min: open\nz_min: open\n";
-      return true;
-    case 503:
-      text_ += settings_report(machine_);
-      return true;
     default:
       return false;
   }
@@ -167,15 +172,17 @@ Axes Executor::destination(const GcodeCommand& command) const {
     const double value = command.value(name).value_or(relative ? 0 : was);
     return std::clamp(relative ? was + value : value, -kFarthest, kFarthest);
   };
-  Axes to{coordinate('X', from.x, machine_.relative), coordinate('Y', from.y, machine_.relative),
+  return {coordinate('X', from.x, machine_.relative), coordinate('Y', from.y, machine_.relative),
           coordinate('Z', from.z, machine_.relative), coordinate('E', from.e, machine_.relative_e)};
-  if (machine_.homed) {
-    const Axes& shift = machine_.shift;
-    const Vec3& volume = machine_.build_volume;
-    to.x = std::clamp(to.x + shift.x, 0.0, volume.x) - shift.x;
-    to.y = std::clamp(to.y + shift.y, 0.0, volume.y) - shift.y;
-    to.z = std::clamp(to.z + shift.z, 0.0, volume.z) - shift.z;
-  }
+}
+
+Axes Executor::within_endstops(Axes to) const {
+  if (!machine_.homed || !machine_.soft_endstops) return to;
+  const Axes& shift = machine_.shift;
+  const Vec3& volume = machine_.build_volume;
+  to.x = std::clamp(to.x + shift.x, 0.0, volume.x) - shift.x;
+  to.y = std::clamp(to.y + shift.y, 0.0, volume.y) - shift.y;
+  to.z = std::clamp(to.z + shift.z, 0.0, volume.z) - shift.z;
   return to;
 }
 
@@ -192,9 +199,31 @@ double Executor::allowed_extrusion(double e) {
   return e;
 }
 
-void Executor::move(const GcodeCommand& command) {
+void Executor::take_feedrate(const GcodeCommand& command) {
   if (const double f = command.value('F').value_or(0); f > 0) machine_.feedrate = f / 60;
-  const Axes to = destination(command);
+}
+
+void Executor::move(const GcodeCommand& command) {
+  take_feedrate(command);
+  head_for(within_endstops(destination(command)));
+}
+
+void Executor::arc(const GcodeCommand& command) {
+  take_feedrate(command);
+  arc_ = Arc::of(command, machine_.position, destination(command));
+  piece_ = 1;
+  if (!head_for_next_piece()) text_ += kBadArc;
+}
+
+bool Executor::head_for_next_piece() {
+  if (!arc_) return false;
+  head_for(within_endstops(arc_->end_of(piece_)));
+  if (piece_ == arc_->pieces()) arc_.reset();
+  ++piece_;
+  return true;
+}
+
+void Executor::head_for(const Axes& to) {
   const double e = allowed_extrusion(to.e - machine_.position.e);
   machine_.filament += e * machine_.flow_percent / 100;
   machine_.position = to;
@@ -202,6 +231,15 @@ void Executor::move(const GcodeCommand& command) {
   target_ = {to.x + shift.x, to.y + shift.y, to.z + shift.z, machine_.filament};
   speed_ = std::max(Planner::kSlowest, machine_.feedrate * machine_.feedrate_percent / 100);
   stage_ = Stage::kRoom;
+}
+
+void Executor::quick_stop(Moment now) {
+  const Axes at = machine_.planner.stop(now);
+  const Axes& shift = machine_.shift;
+  machine_.filament = at.e;
+  machine_.position = {at.x - shift.x, at.y - shift.y, at.z - shift.z, machine_.position.e};
+  arc_.reset();
+  target_ = at;
 }
 
 void Executor::dwell(const GcodeCommand& command) {
@@ -278,6 +316,16 @@ void Executor::stop_waiting() {
   heat_cancelled_ = stage_ == Stage::kHeat;
 }
 
+bool Executor::proceed_room(Moment now) {
+  while (!machine_.planner.full()) {
+    machine_.planner.add(target_, speed_, machine_.limits, now);
+    if (head_for_next_piece()) continue;
+    stage_ = Stage::kDone;
+    return true;
+  }
+  return false;
+}
+
 bool Executor::proceed_still(Moment now) {
   if (!machine_.planner.idle()) return false;
   stage_ = after_still_;
@@ -299,12 +347,7 @@ bool Executor::proceed_heat(Moment now) {
 }
 
 bool Executor::proceed(Moment now) {
-  if (stage_ == Stage::kRoom) {
-    if (machine_.planner.full()) return false;
-    machine_.planner.add(target_, speed_, machine_.limits, now);
-    stage_ = Stage::kDone;
-    return true;
-  }
+  if (stage_ == Stage::kRoom) return proceed_room(now);
   if (stage_ == Stage::kStill && (proceed_still(now) || stage_ == Stage::kStill)) {
     return stage_ == Stage::kDone;
   }

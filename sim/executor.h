@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/gcode/parse.h"
+#include "sim/arc.h"
 #include "sim/machine.h"
 
 namespace slipstick {
@@ -18,7 +19,8 @@ class Executor {
  public:
   static constexpr Moment kHomingTime{
       15'400'000};  ///< Seen with Marlin 2.1.2 on its simulated board.
-  static constexpr Moment kReportPeriod{1'000'000};  ///< Of temperatures during M109 and M190.
+  static constexpr Moment kQuickStopTime{1'999'000};  ///< M410 keeps the planner empty so long.
+  static constexpr Moment kReportPeriod{1'000'000};   ///< Of temperatures during M109 and M190.
   static constexpr Moment kHeatPoll{100'000};
   static constexpr double kExtrusionMax = 200;  ///< mm of filament in one move.
   static constexpr double kFarthest = 1e6;      ///< mm: no coordinate is beyond, homed or not.
@@ -38,6 +40,10 @@ class Executor {
 
   /// Ends a wait for a heater: M108.
   void stop_waiting();
+
+  /// Drops all moves where the machine is now: M410 when it is read. The filament that they would
+  /// have pushed is not pushed; E of the commands stays.
+  void quick_stop(Moment now);
 
   /// Whether the command that just returned gets the usual "ok" (M105 brings its own).
   [[nodiscard]] bool wants_ok() const { return wants_ok_; }
@@ -60,6 +66,12 @@ class Executor {
   void unknown(std::string_view line);
 
   void move(const GcodeCommand& command);
+  void arc(const GcodeCommand& command);
+  void take_feedrate(const GcodeCommand& command);
+  /// Plans the way to `to`, in the commands' own coordinates, as soon as there is room.
+  void head_for(const Axes& to);
+  /// Goes on with the arc. \return Whether there was more of it.
+  [[nodiscard]] bool head_for_next_piece();
   void dwell(const GcodeCommand& command);
   void home(const GcodeCommand& command);
   void finish_homing(Moment now);
@@ -69,10 +81,13 @@ class Executor {
   /// Waits until all moves are made, then goes on to `next`.
   void become_still(Stage next);
 
-  /// Where `command` goes, in its own coordinates, within the soft endstops.
+  /// Where `command` goes, in its own coordinates.
   [[nodiscard]] Axes destination(const GcodeCommand& command) const;
+  /// The same place, or the nearest within the soft endstops.
+  [[nodiscard]] Axes within_endstops(Axes to) const;
   /// `e` mm of filament, or 0 and a complaint where that is not allowed.
   [[nodiscard]] double allowed_extrusion(double e);
+  [[nodiscard]] bool proceed_room(Moment now);
   [[nodiscard]] bool proceed_still(Moment now);
   [[nodiscard]] bool proceed_heat(Moment now);
 
@@ -83,6 +98,8 @@ class Executor {
 
   Axes target_;  ///< Of the move that waits for room.
   double speed_ = 0;
+  std::optional<Arc> arc_;  ///< Of which `piece_` is the next to plan.
+  int piece_ = 0;
 
   Stage after_still_ = Stage::kDone;
   Moment wait_{0};   ///< How long to dwell once still.

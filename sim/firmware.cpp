@@ -46,7 +46,7 @@ bool Firmware::work(Moment now) {
     request_resend();
     return true;
   }
-  return stay_busy(now) || report(now) || read_lines() || run_command(now);
+  return stay_busy(now) || report(now) || read_lines(now) || run_command(now);
 }
 
 bool Firmware::boot(Moment now) {
@@ -57,17 +57,17 @@ bool Firmware::boot(Moment now) {
   return true;
 }
 
-bool Firmware::read_lines() {
+bool Firmware::read_lines(Moment now) {
   if (ring_.empty() || !reads()) return false;
   while (reads() && !resending_) {
     const auto byte = ring_.pop();
     if (!byte) break;
-    if (const auto line = reader_.feed(*byte)) receive(*line);
+    if (const auto line = reader_.feed(*byte)) receive(*line, now);
   }
   return true;
 }
 
-void Firmware::receive(std::string_view line) {
+void Firmware::receive(std::string_view line, Moment now) {
   const Verdict verdict = gate_.judge(line);
   if (verdict == Verdict::kDropped) return;
   if (verdict == Verdict::kSkipped) {
@@ -75,7 +75,7 @@ void Firmware::receive(std::string_view line) {
     return;
   }
   if (verdict != Verdict::kAccepted) return reject(verdict);
-  obey_early(line);
+  obey_early(line, now);
   if (machine_.halted) return;
   if (personality_.ok == OkTime::kWhenReceived) text_ += kOk;
   queue_.emplace_back(line);
@@ -102,13 +102,14 @@ void Firmware::request_resend() {
   ++resends_requested_;
 }
 
-void Firmware::obey_early(std::string_view line) {
+void Firmware::obey_early(std::string_view line, Moment now) {
   line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
   const auto matches = [&](std::string_view code) {
     if (personality_.early == EarlyStop::kPrefix) return line.starts_with(code);
     return (personality_.early == EarlyStop::kExact ? line : bare_command(line)) == code;
   };
   if (matches("M108")) executor_.stop_waiting();
+  if (matches("M410")) executor_.quick_stop(now);
   if (matches("M112")) kill();
 }
 
@@ -161,6 +162,7 @@ void Firmware::begin_command(Moment now) {
     ok_due_ = late_ok && !personality_.identity.starts_with("ok");
     return;
   }
+  if (command && command->is('M', 999)) return request_resend();
   executor_.begin(queue_.front(), command, now);
   ok_due_ = late_ok && executor_.wants_ok();
 }

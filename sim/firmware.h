@@ -52,13 +52,13 @@ class Firmware {
 
  private:
   bool boot(Moment now);
-  bool read_lines();
-  void receive(std::string_view line);
+  bool read_lines(Moment now);
+  void receive(std::string_view line, Moment now);
   void reject(Verdict verdict);
   void request_resend();
-  /// What Marlin obeys when it reads it, not when its turn comes: M108 and M112 at the start of a
-  /// line.
-  void obey_early(std::string_view line);
+  /// What Marlin obeys when it reads it, not when its turn comes: M108, M112 and M410 at the start
+  /// of a line.
+  void obey_early(std::string_view line, Moment now);
   bool work(Moment now);
   bool report(Moment now);
   /// Says "wait" where there was nothing to do for long.

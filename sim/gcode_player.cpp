@@ -18,6 +18,7 @@ std::string_view complaint_in(std::string_view text) {
   if (text.starts_with("echo:Unknown command")) return "unknown command";
   if (text.find(kColdExtrusion) != std::string_view::npos) return "cold extrusion prevented";
   if (text.find(kLongExtrusion) != std::string_view::npos) return "too long extrusion prevented";
+  if (text.find(kBadArc) != std::string_view::npos) return "arc without a centre or end";
   if (text.find("Invalid extruder") != std::string_view::npos) return "invalid extruder";
   return {};
 }

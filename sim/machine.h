@@ -25,9 +25,10 @@ struct Machine {
   double feedrate = 25;  ///< mm/s; Marlin starts with F1500.
   double feedrate_percent = 100;
   double flow_percent = 100;
-  bool relative = false;    ///< G91
-  bool relative_e = false;  ///< M83
-  bool homed = false;       ///< Soft endstops act from then on.
+  bool relative = false;      ///< G91
+  bool relative_e = false;    ///< M83
+  bool homed = false;         ///< Soft endstops act from then on,
+  bool soft_endstops = true;  ///< unless M211 S0 turned them off.
   double extrude_celsius_min = 170;
   bool halted = false;  ///< After kill(): only a reset helps.
 

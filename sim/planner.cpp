@@ -149,6 +149,19 @@ void Planner::finish() {
   }
 }
 
+Axes Planner::stop(Moment now) {
+  target_ = position(now);
+  if (moving_) {
+    block(0).move.to = target_;
+    block(0).move.end_seconds = to_seconds(now);
+    count_ = 1;
+    finish();
+  }
+  count_ = 0;
+  rest();
+  return target_;
+}
+
 void Planner::advance(Moment now) {
   const double t = to_seconds(now) + kSlack;
   if (count_ > 0 && !moving_ && start_seconds() <= t) start(start_seconds());

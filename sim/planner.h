@@ -73,6 +73,9 @@ class Planner {
   /// Plans a move to `target` at `speed` mm/s along the path. \pre Not full; `speed` > 0.
   void add(const Axes& target, double speed, const MotionLimits& limits, Moment now);
 
+  /// Forgets all moves and stands where it is, at once. \return Where that is.
+  Axes stop(Moment now);
+
   /// Makes all moves that end by `now`. Time never goes back.
   void advance(Moment now);
 

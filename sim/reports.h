@@ -28,5 +28,6 @@ namespace slipstick {
 inline constexpr std::string_view kOk = "ok\n";
 inline constexpr std::string_view kColdExtrusion = "echo: cold extrusion prevented\n";
 inline constexpr std::string_view kLongExtrusion = "echo: too long extrusion prevented\n";
+inline constexpr std::string_view kBadArc = "Error:G2/G3 bad parameters\n";
 
 }  // namespace slipstick

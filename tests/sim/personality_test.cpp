@@ -135,7 +135,7 @@ TEST_CASE("M112 overtakes only in the form that the firmware compares with") {
 TEST_CASE("M115 and the last words name the firmware") {
   CHECK(with("klipper").say("M115") == "ok FIRMWARE_VERSION:v0.12 FIRMWARE_NAME:Klipper\n");
   CHECK(has(with("repetier").say("M115"), "FIRMWARE_NAME:Repetier_"));
-  CHECK(has(with("marlin-2.0.7").say("M115"), "Cap:ARCS:0\n"));
+  CHECK(has(with("marlin-2.0.7").say("M115"), "Cap:ARCS:1\n"));
   CHECK_FALSE(has(with("marlin-1.1.9").say("M115"), "Cap:ARCS"));
   CHECK_FALSE(has(with("creality").say("M115"), "Cap:"));
   CHECK(with("marlin-2.0.9").say("M112") == "Error:Printer halted. kill() called!\n");

@@ -1,0 +1,70 @@
+#include "sim/service_commands.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "sim/reports.h"
+
+namespace slipstick {
+
+namespace {
+
+constexpr std::string_view kDefaultsLoaded = "echo:Hardcoded Default Settings Loaded\n";
+
+/// The names of the bits of M111 S. None of them is obeyed.
+std::string debug_report(unsigned bits) {
+  constexpr std::array<std::string_view, 5> kNames{"ECHO", "INFO", "ERRORS", "DRYRUN",
+                                                   "COMMUNICATION"};
+  std::string names;
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    if ((bits >> i & 1U) == 0) continue;
+    names.append(names.empty() ? "" : ",").append(kNames[i]);
+  }
+  return fmt::format("echo:DEBUG:{}\n", names.empty() ? "off" : names);
+}
+
+std::string run_endstops(const GcodeCommand& command, Machine& machine) {
+  if (const auto on = command.value('S')) {
+    machine.soft_endstops = *on != 0;
+    return {};
+  }
+  const Vec3& most = machine.build_volume;
+  return fmt::format("  M211 S{}\n  Min:  X0.00 Y0.00 Z0.00   Max:  X{:.2f} Y{:.2f} Z{:.2f}\n",
+                     machine.soft_endstops ? "1 ; ON" : "0 ; OFF", most.x, most.y, most.z);
+}
+
+/// There is nothing to load but what the firmware was built with.
+std::string load_defaults(Machine& machine) {
+  machine.limits = {};
+  return std::string(kDefaultsLoaded);
+}
+
+}  // namespace
+
+std::optional<std::string> run_service_command(const GcodeCommand& command, Machine& machine) {
+  if (command.letter() != 'M') return std::nullopt;
+  switch (command.code()) {
+    case 111:
+      return debug_report(
+          static_cast<unsigned>(std::clamp(command.value('S').value_or(0), 0.0, 255.0)));
+    case 119:
+      return "Reporting endstop status\nx_min: open\ny_min: open\nz_min: open\n";
+    case 211:
+      return run_endstops(command, machine);
+    case 500:
+      return "Error:EEPROM disabled\n";
+    case 501:
+      return load_defaults(machine) + settings_report(machine);
+    case 502:
+      return load_defaults(machine);
+    case 503:
+      return settings_report(machine);
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace slipstick

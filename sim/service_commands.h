@@ -1,0 +1,17 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/gcode/parse.h"
+#include "sim/machine.h"
+
+namespace slipstick {
+
+/// M111, M119, M211 and M500 to M503: commands that only answer or turn a switch.
+///
+/// \return What is printed before the "ok"; nothing if `command` is another.
+[[nodiscard]] std::optional<std::string> run_service_command(const GcodeCommand& command,
+                                                             Machine& machine);
+
+}  // namespace slipstick
