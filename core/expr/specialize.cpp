@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "core/base/check.h"
 
@@ -44,31 +45,29 @@ std::optional<std::uint32_t> stand_in(const Instruction& step, const Choice& cho
 // The new register of an old one; a new one if nothing behind has asked for it.
 std::uint32_t Specializer::claimed(std::uint32_t old, Demand demand) {
   if (old < kFirstFree) return old;
-  if (demand_[old] == Demand::kNothing) {
-    if (free_.empty()) free_.push_back(registers_++);
-    number_[old] = free_.back();
-    free_.pop_back();
+  OldRegister& r = old_[old];
+  if (r.demand == Demand::kNothing) {
+    r.number = free_count_ > 0 ? free_[--free_count_] : registers_++;
   }
-  demand_[old] = std::max(demand_[old], demand);
-  return number_[old];
+  r.demand = std::max(r.demand, demand);
+  return r.number;
 }
 
 // `old` takes the place of the step's result, or is copied to it if it has a place already.
 void Specializer::forward(const Instruction& step, std::uint32_t old, Demand demand) {
-  const std::uint32_t out = number_[step.out];
-  if (old >= kFirstFree && demand_[old] == Demand::kNothing) {
-    demand_[old] = demand;
-    number_[old] = out;
+  const std::uint32_t out = old_[step.out].number;
+  if (old >= kFirstFree && old_[old].demand == Demand::kNothing) {
+    old_[old] = {out, demand};
     return;
   }
-  free_.push_back(out);
+  release(out);
   emit({Code::kCopy, out, claimed(old, demand), 0});
 }
 
 void Specializer::keep(Instruction step, Demand demand) {
   const Demand inner = passes_sign(step.code) ? demand : Demand::kValue;
-  step.out = number_[step.out];
-  free_.push_back(step.out);
+  step.out = old_[step.out].number;
+  release(step.out);
   if (reads_a(step.code)) step.a = claimed(step.a, inner);
   if (reads_b(step.code)) step.b = claimed(step.b, inner);
   emit(step);
@@ -81,15 +80,14 @@ Listing Specializer::specialize(const Listing& listing, std::span<const Choice> 
   room_ = room;
   first_ = room.size();
   registers_ = kFirstFree;
-  free_.clear();
-  demand_.assign(listing.registers, Demand::kNothing);
-  number_.resize(std::max<std::size_t>(number_.size(), listing.registers));
+  free_count_ = 0;
+  old_.assign(listing.registers, {});
+  free_.resize(std::max<std::size_t>(free_.size(), listing.registers));
   const std::uint32_t result = claimed(listing.result, demand);
   for (std::size_t i = listing.instructions.size(); i-- > 0;) {
     const Instruction& step = listing.instructions[i];
-    const Demand wanted = demand_[step.out];
+    const Demand wanted = std::exchange(old_[step.out].demand, Demand::kNothing);
     if (wanted == Demand::kNothing) continue;
-    demand_[step.out] = Demand::kNothing;
     if (const auto stands = stand_in(step, choices[i], box, wanted)) {
       forward(step, *stands, wanted);
     } else {

@@ -33,17 +33,24 @@ class Specializer {
                                    std::size_t box, Demand demand, std::span<Instruction> room);
 
  private:
+  // By what follows; its new register only where there is a demand.
+  struct OldRegister {
+    std::uint32_t number = 0;
+    Demand demand = Demand::kNothing;
+  };
+
   [[nodiscard]] std::uint32_t claimed(std::uint32_t old, Demand demand);
   void forward(const Instruction& step, std::uint32_t old, Demand demand);
   void keep(Instruction step, Demand demand);
+  void release(std::uint32_t number) { free_[free_count_++] = number; }
   void emit(const Instruction& step) { room_[--first_] = step; }
 
   std::span<Instruction> room_;
   std::size_t first_ = 0;
   std::uint32_t registers_ = 0;
-  std::vector<Demand> demand_;         // of each old register, by what follows
-  std::vector<std::uint32_t> number_;  // its new register, where there is a demand
-  std::vector<std::uint32_t> free_;
+  std::vector<OldRegister> old_;
+  std::vector<std::uint32_t> free_;  // new registers, the first `free_count_`
+  std::size_t free_count_ = 0;
 };
 
 }  // namespace slipstick

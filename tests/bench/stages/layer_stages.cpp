@@ -25,30 +25,38 @@ Simplified contours_of(const bench::Subject& s, const BitImage& image) {
   return simplify_fewest(contours, options);
 }
 
+void image(benchmark::State& state, const bench::Subject& subject) {
+  for (auto _ : state) benchmark::DoNotOptimize(image_of(subject));
+}
+
 void whole_layer(benchmark::State& state, const bench::Subject& subject) {
   for (auto _ : state) benchmark::DoNotOptimize(contours_of(subject, image_of(subject)));
 }
 
-LayerToolpaths toolpaths_of(const bench::Subject& s, const BitImage& image,
-                            const Outline& outline) {
+LayerToolpaths toolpaths_of(const BitImage& image, const Outline& outline) {
   return plan_layer({3, 0.8, 0.2, image, outline, image, image}, PrintSettings{});
 }
 
 void toolpaths(benchmark::State& state, const bench::Subject& subject) {
   const BitImage image = image_of(subject);
   const Outline outline = contours_of(subject, image).outline;
-  for (auto _ : state) benchmark::DoNotOptimize(toolpaths_of(subject, image, outline));
+  for (auto _ : state) benchmark::DoNotOptimize(toolpaths_of(image, outline));
 }
 
 void gcode(benchmark::State& state, const bench::Subject& subject) {
   const BitImage image = image_of(subject);
-  const LayerToolpaths layer = toolpaths_of(subject, image, contours_of(subject, image).outline);
+  const LayerToolpaths layer = toolpaths_of(image, contours_of(subject, image).outline);
   for (auto _ : state) benchmark::DoNotOptimize(write_layer(layer, PrintSettings{}));
 }
 
 }  // namespace
 
 void register_layer_stages() {
+  if (const std::string folder = bench::models_folder(); !folder.empty()) {
+    const auto prospero = bench::vm_solid(folder + "/fidget_prospero.vm", 100);
+    benchmark::RegisterBenchmark("image/prospero", image,
+                                 bench::subject("prospero", prospero, 100.0 / 1021));
+  }
   for (const bench::Subject& s : bench::edge_subjects()) {
     benchmark::RegisterBenchmark(("whole_layer/" + s.name).c_str(), whole_layer, s);
     benchmark::RegisterBenchmark(("toolpaths/" + s.name).c_str(), toolpaths, s);

@@ -2,9 +2,12 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/base/check.h"
+#include "core/contour/place_laplacian.h"
 #include "core/contour/place_roots.h"
+#include "core/contour/place_smooth.h"
 #include "core/contour/simplify.h"
 #include "core/contour/trace.h"
 #include "core/image/sample.h"
@@ -47,16 +50,52 @@ double rms(const Outline& outline, Section& section, double width) {
   return std::sqrt(sum / length) / width;
 }
 
+ContourSet traced(const Subject& s, Section& section) {
+  const auto image = sample(section, s.grid);
+  SLIPSTICK_CHECK(image.has_value());
+  return trace(*image, Ambiguity::kSolid);
+}
+
+using Placing = void (*)(ContourSet&, Section&);
+
+constexpr std::array<std::pair<const char*, Placing>, 5> kPlacements{{
+    {"roots", [](ContourSet& c, Section& section) { place_roots(c, section); }},
+    {"sliding", [](ContourSet& c, Section&) { place_sliding(c); }},
+    {"projection", [](ContourSet& c, Section&) { place_projection(c); }},
+    {"laplacian", [](ContourSet& c, Section&) { place_laplacian(c); }},
+    {"midpoints", [](ContourSet&, Section&) {}},
+}};
+
 }  // namespace
+
+// The paper's figure 10 in numbers: no edge is taken away.
+std::vector<Row> placement_rows() {
+  std::vector<Row> rows;
+  double of_roots = 0;
+  for (const auto& [name, place] : kPlacements) {
+    double sum = 0;
+    std::string parts;
+    for (const Subject& s : smooth_subjects()) {
+      const auto section = s.solid->section(s.z);
+      ContourSet contours = traced(s, *section);
+      place(contours, *section);
+      const double error = rms(keep_all(contours).outline, *section, s.grid.width());
+      sum += error;
+      parts += fmt::format(", {} {:.4f} h", s.name, error);
+    }
+    if (rows.empty()) of_roots = sum;
+    rows.push_back({fmt::format("RMS error of all edges, --place {}", name), "least with roots",
+                    parts.substr(2), of_roots <= sum});
+  }
+  return rows;
+}
 
 std::vector<Row> error_rows() {
   double worst_fewest = 0, worst_roots = 0;
   std::string parts;
   for (const Subject& s : smooth_subjects()) {
     const auto section = s.solid->section(s.z);
-    const auto image = sample(*section, s.grid);
-    SLIPSTICK_CHECK(image.has_value());
-    ContourSet contours = trace(*image, Ambiguity::kSolid);
+    ContourSet contours = traced(s, *section);
     place_roots(contours, *section);
     SimplifyOptions options;
     options.tolerance = 0.1 * s.grid.width();

@@ -46,7 +46,8 @@ Row whole_layer(const Subject& s) {
     sticks = contours.sticks().size();
     static_cast<void>(simplify_fewest(contours, tenth_of_a_cell(s)));
   });
-  // The target is for a layer of the paper's Filigree; a layer of more sticks may take as much more.
+  // The target is for a layer of the paper's Filigree; a layer of more sticks may take as much
+  // more.
   const double target = 0.020 * std::max(1.0, static_cast<double>(sticks) / kFiligreeSticks);
   return {fmt::format("Filigree-size layer, {}², {} ({} sticks), all stages, one core",
                       s.grid.columns(), s.name, sticks),

@@ -16,5 +16,6 @@ namespace slipstick::targets {
 [[nodiscard]] std::vector<Row> scaling_rows();
 [[nodiscard]] std::vector<Row> edge_rows();
 [[nodiscard]] std::vector<Row> error_rows();
+[[nodiscard]] std::vector<Row> placement_rows();
 
 }  // namespace slipstick::targets
