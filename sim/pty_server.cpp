@@ -80,9 +80,23 @@ Result<PtyServer> PtyServer::open(const PtyServerOptions& options, Printer print
 }
 
 PtyServer::~PtyServer() {
-  if (link_.empty() || link_target(link_) != device_) return;
+  close_terminal();
+}
+
+void PtyServer::close_terminal() {
   std::error_code error;
-  std::filesystem::remove(link_, error);
+  if (!link_.empty() && link_target(link_) == device_) std::filesystem::remove(link_, error);
+  terminal_.reset();
+  terminal_held_.reset();
+}
+
+Result<void> PtyServer::follow_cable() {
+  if (printer_.plugged() == cable_in_) return {};
+  cable_in_ = printer_.plugged();
+  if (cable_in_) return link_.empty() ? Result<void>() : open_terminal(link_);
+  close_terminal();
+  client_.reset();
+  return {};
 }
 
 Result<void> PtyServer::open_terminal(const std::string& path) {
@@ -156,7 +170,7 @@ Result<void> PtyServer::wait(int stop_fd, Moment elapsed) {
   const short input = printer_.unread() < kUnreadMax ? POLLIN : 0;
   std::array<pollfd, 4> fds{{{stop_fd, POLLIN, 0},
                              {terminal_.get(), input, 0},
-                             {listener_.get(), POLLIN, 0},
+                             {cable_in_ ? listener_.get() : -1, POLLIN, 0},
                              {client_.get(), input, 0}}};
   Moment next = elapsed + kTick;
   if (const auto m = printer_.next_event()) next = std::min(next, *m);
@@ -182,6 +196,7 @@ Result<void> PtyServer::run(const std::stop_token& stop) {
     const auto elapsed =
         std::chrono::duration_cast<Moment>(std::chrono::steady_clock::now() - started);
     printer_.advance(elapsed);
+    if (auto followed = follow_cable(); !followed) return followed;
     speak();
     if (auto waited = wait(stop_event.get(), elapsed); !waited) return waited;
   }

@@ -22,6 +22,7 @@ struct PtyServerOptions {
 /// Both lead to the one serial port of the board: it hears whoever speaks and all hear it. A TCP
 /// connection resets the board, as opening the port of an Arduino does; a newer one replaces an
 /// older one. What the board says while nobody listens is lost once the terminal's buffer is full.
+/// While the cable is out there is neither terminal nor link, and no connection.
 class PtyServer {
  public:
   /// Opens what `options` ask for. The link to the terminal goes away with the server.
@@ -51,6 +52,9 @@ class PtyServer {
   [[nodiscard]] Result<void> open_terminal(const std::string& path);
   [[nodiscard]] Result<void> listen_on(int port);
   [[nodiscard]] Result<void> wait(int stop_fd, Moment elapsed);
+  /// Takes the terminal away when the cable is pulled out, and makes a new one when it is back.
+  [[nodiscard]] Result<void> follow_cable();
+  void close_terminal();
   void accept_client();
   void hear(int fd, Moment elapsed);
   void speak();
@@ -62,6 +66,7 @@ class PtyServer {
   UniqueFd client_;
   std::string device_;
   std::string link_;  ///< Removed at the end if it still leads to `device_`.
+  bool cable_in_ = true;
   int tcp_port_ = 0;
 };
 

@@ -57,8 +57,8 @@ void write_text(int fd, std::string_view text) {
 /// A server that runs as long as this lives.
 class Running {
  public:
-  explicit Running(const PtyServerOptions& options)
-      : server_(PtyServer::open(options, Printer({}))) {
+  explicit Running(const PtyServerOptions& options, const PrinterOptions& printer = {})
+      : server_(PtyServer::open(options, Printer(printer))) {
     REQUIRE(server_);
     thread_ = std::jthread([this](const std::stop_token& stop) { failed_ = !server_->run(stop); });
   }
@@ -115,6 +115,28 @@ TEST_CASE("The link goes away with the server, and one left behind is replaced")
     CHECK(std::filesystem::read_symlink(path).string() == running.server().device());
   }
   CHECK_FALSE(std::filesystem::is_symlink(path));
+}
+
+TEST_CASE("A pulled cable takes the terminal away; when it is back there is another one") {
+  const Folder folder;
+  const std::string path = folder.file("printer");
+  PrinterOptions options;
+  options.faults = {FaultSpec::parse("unplug=0.2@line1").value()};
+  const Running running({.pty_path = path, .tcp_port = std::nullopt}, options);
+  const UniqueFd before(::open(path.c_str(), O_RDWR | O_NOCTTY));
+  read_until(before.get(), "D114.00\n");
+  write_text(before.get(), "M117\n");
+
+  read_until(before.get(), "never");  // Ends where the terminal does.
+  UniqueFd after;
+  for (int i = 0; !after.valid() && i < kPatienceMs; ++i) {
+    ::poll(nullptr, 0, 1);
+    after = UniqueFd(::open(path.c_str(), O_RDWR | O_NOCTTY));
+  }
+
+  REQUIRE(after.valid());
+  write_text(after.get(), "M117\n");
+  CHECK(read_until(after.get(), "ok\n") == "ok\n");
 }
 
 TEST_CASE("A path that is something else is left alone") {
