@@ -22,6 +22,7 @@ namespace {
 struct SimCommand {
   std::string pty;
   int tcp = -1;
+  double speed = 1;
   std::string options;
   std::vector<std::string> faults;
   std::string gcode;
@@ -52,7 +53,7 @@ CommandResult run_sim(const SimCommand& command) {
     if (!fault) return fail(fault.error());
     options->printer.faults.push_back(*fault);
   }
-  PtyServerOptions where{command.pty, {}};
+  PtyServerOptions where{command.pty, {}, command.speed};
   if (command.tcp >= 0) where.tcp_port = command.tcp;
   auto server = PtyServer::open(where, Printer(options->printer));
   if (!server) return fail(server.error());
@@ -99,6 +100,8 @@ void add_sim_command(CLI::App& app, ChosenCommand& run) {
                   ->check(CLI::Range(0, 65535));
   sub->add_option("--options", command->options,
                   "as behind 'sim:?': seed=7&corrupt=0.002&baud=115200");
+  sub->add_option("--speed", command->speed, "seconds of the printer in one of real time")
+      ->check(CLI::Range(0.01, 1000.0));
   sub->add_option("--fault", command->faults,
                   "something that goes wrong, NAME[=VALUE][@WHEN]; the names are below. WHEN is "
                   "SECONDS since power on, FROM-TO or lineN; may be given again")

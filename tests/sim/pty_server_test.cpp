@@ -151,6 +151,29 @@ TEST_CASE("A path that is something else is left alone") {
   CHECK(std::filesystem::is_directory(folder.file("printer")));
 }
 
+TEST_CASE("The printer's clock may run faster than ours") {
+  const Folder folder;
+  const std::string path = folder.file("printer");
+  const Running running({.pty_path = path, .tcp_port = std::nullopt, .speed = 1000});
+  const UniqueFd fd(::open(path.c_str(), O_RDWR | O_NOCTTY));
+  read_until(fd.get(), "D114.00\n");
+
+  write_text(fd.get(), "G4 S600\n");  // Far beyond our patience.
+
+  CHECK(read_until(fd.get(), "ok\n").ends_with("ok\n"));
+}
+
+TEST_CASE("A clock that stands or flies is a mistake") {
+  const Folder folder;
+  for (const double speed : {0.0, -1.0, 1e9}) {
+    const auto server = PtyServer::open(
+        {.pty_path = folder.file("printer"), .tcp_port = std::nullopt, .speed = speed},
+        Printer({}));
+    REQUIRE_FALSE(server);
+    CHECK(server.error().code == ErrorCode::kInput);
+  }
+}
+
 TEST_CASE("A server with nothing to open is a mistake") {
   const auto server = PtyServer::open({}, Printer({}));
 
