@@ -63,6 +63,8 @@ nlohmann::ordered_json gcode_judge_report(const GcodeVerdict& verdict,
             {"holes_wrong", p.holes_wrong},
             {"rims_bare", p.rims_bare},
             {"in_the_air", p.in_the_air},
+            {"infill_missing", p.infill_missing},
+            {"layers_missing", p.layers_missing},
             {"top_missing", verdict.top_missing},
             {"area_error", p.area_error_max},
             {"area_error_mean", p.area_error_mean},
@@ -90,8 +92,11 @@ std::string gcode_judge_text(const GcodeVerdict& verdict) {
     text += fmt::format("line {}: {}: {}\n", r.line, r.why, r.text);
   }
   text += fmt::format(
-      "{} layers: {} wrong components, {} wrong holes, {} bare rims, {} places in the air\n",
-      p.layers, p.components_wrong, p.holes_wrong, p.rims_bare, p.in_the_air);
+      "{} layers: {} wrong components, {} wrong holes, {} bare rims, {} places in the air, {} "
+      "without "
+      "infill, {} left out\n",
+      p.layers, p.components_wrong, p.holes_wrong, p.rims_bare, p.in_the_air, p.infill_missing,
+      p.layers_missing);
   text += fmt::format("printed: {}\n  model: {}\n", topology_text(verdict.printed),
                       topology_text(verdict.wanted));
   text += fmt::format("{:.0f} s, {:.0f} mm of filament, {} moves, {} travels, {} retractions\n",

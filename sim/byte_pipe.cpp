@@ -57,6 +57,12 @@ std::int64_t BytePipe::arrived(const Burst& burst, Moment by) const {
   return std::max(n, burst.taken);
 }
 
+void BytePipe::clear() {
+  bytes_.clear();
+  head_ = 0;
+  bursts_.clear();
+}
+
 std::size_t BytePipe::take(std::span<char> buffer, Moment by) {
   std::size_t count = 0;
   while (!bursts_.empty() && count < buffer.size()) {

@@ -36,6 +36,9 @@ class BytePipe {
   /// Moves bytes that have arrived by `by` into `buffer`. \return How many.
   std::size_t take(std::span<char> buffer, Moment by);
 
+  /// Forgets all that was not taken.
+  void clear();
+
   /// Whether it paces bytes like a UART (and does not wait for a slow receiver).
   [[nodiscard]] bool paced() const { return baud_ > 0; }
   [[nodiscard]] const FaultPlan& faults() const { return faults_; }

@@ -76,6 +76,26 @@ std::vector<Defect> thick_regions(const PixelImage& image, int side, DefectKind 
   return found;
 }
 
+/// By dynamic programming: the largest square that ends at a pixel is one more than the least of
+/// those that end at its three neighbours before it.
+LargestSquare largest_square(const PixelImage& image) {
+  const PixelFrame& frame = image.frame();
+  std::vector<int> above(static_cast<std::size_t>(frame.columns) + 1);
+  std::vector<int> here(above.size());
+  LargestSquare best;
+  for (int row = 0; row < frame.rows; ++row) {
+    for (std::size_t i = 1; i < here.size(); ++i) {
+      const int column = static_cast<int>(i) - 1;
+      here[i] = image.at(row, column) ? 1 + std::min({above[i], above[i - 1], here[i - 1]}) : 0;
+      if (here[i] <= best.side) continue;
+      const int back = here[i] / 2;
+      best = {here[i], frame.centre(column - back, row - back)};
+    }
+    std::swap(above, here);
+  }
+  return best;
+}
+
 PixelImage rim_of(const PixelImage& solid, int depth) {
   PixelImage rim = solid;
   return rim -= shrunk_by(solid, depth);

@@ -30,6 +30,13 @@ struct Hanging {
 [[nodiscard]] Hanging hanging(const PixelImage& deposit, const PixelImage& support,
                               const PixelImage& solid, int reach);
 
+/// The largest square of set pixels.
+struct LargestSquare {
+  int side = 0;  ///< Pixels; 0 where none is set.
+  Vec2 middle;
+};
+[[nodiscard]] LargestSquare largest_square(const PixelImage& image);
+
 /// The middle of the longest of `runs`. \pre There is one.
 [[nodiscard]] Vec2 middle_of_longest(const PixelFrame& frame, std::span<const PixelRun> runs);
 

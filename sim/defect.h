@@ -17,13 +17,15 @@ enum class DefectKind : std::uint8_t {
   kHolesJoined,
   kRimBare,
   kInTheAir,
+  kInfillMissing,
+  kLayerMissing,
 };
 
 /// One fault, where a person would look for it.
 struct Defect {
   DefectKind kind{};
   Vec2 place;      ///< mm, on the bed.
-  double mm2 = 0;  ///< How large: of kRimBare and kInTheAir.
+  double mm2 = 0;  ///< How large: of kRimBare and what follows it.
 
   friend bool operator==(const Defect&, const Defect&) = default;
 };
@@ -47,6 +49,10 @@ struct Defect {
       return "rim bare";
     case DefectKind::kInTheAir:
       return "laid in the air";
+    case DefectKind::kInfillMissing:
+      return "infill missing";
+    case DefectKind::kLayerMissing:
+      return "layer left out";
   }
   return "";
 }

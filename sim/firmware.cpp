@@ -21,13 +21,15 @@ std::string repetier_error(Verdict verdict, const LineGate& gate) {
 
 }  // namespace
 
-Firmware::Firmware(Machine& machine, const Personality& personality, Moment power_on)
+Firmware::Firmware(Machine& machine, const Personality& personality, Moment power_on,
+                   ResetCause cause)
     : machine_(machine),
       personality_(personality),
       executor_(machine),
       reader_(personality.line_max),
       gate_(personality.lines),
-      boot_at_(power_on + kBootTime) {}
+      boot_at_(power_on + kBootTime),
+      cause_(cause) {}
 
 std::string Firmware::take_text() {
   return std::exchange(text_, {});
@@ -46,12 +48,12 @@ bool Firmware::work(Moment now) {
     request_resend();
     return true;
   }
-  return stay_busy(now) || report(now) || read_lines(now) || run_command(now);
+  return guard(now) || stay_busy(now) || report(now) || read_lines(now) || run_command(now);
 }
 
 bool Firmware::boot(Moment now) {
   if (now < boot_at_) return false;
-  text_ += banner_report(personality_, machine_);
+  text_ += banner_report(personality_, machine_, cause_);
   wait_at_ = now + personality_.wait_period;
   booted_ = true;
   return true;
@@ -110,12 +112,28 @@ void Firmware::obey_early(std::string_view line, Moment now) {
   };
   if (matches("M108")) executor_.stop_waiting();
   if (matches("M410")) executor_.quick_stop(now);
-  if (matches("M112")) kill();
+  if (matches("M112")) kill(personality_.shutdown);
 }
 
-void Firmware::kill() {
-  text_ += personality_.killed;
+void Firmware::kill(std::string_view reason) {
+  text_.append(reason).append(personality_.killed);
   machine_.halt();
+}
+
+bool Firmware::has_to_guard() const {
+  const auto is_safe = [](const Heater& heater) { return heater.off() && heater.whole(); };
+  return !is_safe(machine_.nozzle) || !is_safe(machine_.bed);
+}
+
+bool Firmware::guard(Moment now) {
+  if (!has_to_guard() || now < guard_at_) return false;
+  guard_at_ = now + kGuardPeriod;
+  const auto is_broken = [&](ThermalGuard& guard, const Heater& heater) {
+    const auto alarm = guard.check(heater, now);
+    if (alarm) kill(alarm_text(*alarm, guard.name()));
+    return alarm.has_value();
+  };
+  return is_broken(nozzle_guard_, machine_.nozzle) || is_broken(bed_guard_, machine_.bed);
 }
 
 bool Firmware::idle(Moment now) {
@@ -149,7 +167,7 @@ void Firmware::begin_command(Moment now) {
   const bool late_ok = personality_.ok == OkTime::kWhenDone;
   ok_due_ = late_ok;
   const auto command = parse_gcode(queue_.front());
-  if (command && command->is('M', 112)) return kill();
+  if (command && command->is('M', 112)) return kill(personality_.shutdown);
   if (command && command->is('M', 110)) {
     constexpr double kMost = std::numeric_limits<std::int32_t>::max();
     if (const auto n = command->value('N')) {
@@ -194,6 +212,7 @@ std::optional<Moment> Firmware::wakes_at(Moment now) const {
   if (has_work()) return now;
   std::optional<Moment> first;
   const auto consider = [&first](Moment m) { first = first ? std::min(*first, m) : m; };
+  if (has_to_guard()) consider(guard_at_);
   if (report_period_ > Moment(0)) consider(report_at_);
   if (personality_.wait_period > Moment(0) && queue_.empty()) consider(wait_at_);
   if (!executor_.running()) return first;

@@ -11,6 +11,7 @@
 #include "sim/machine.h"
 #include "sim/personality.h"
 #include "sim/rx_ring.h"
+#include "sim/thermal_guard.h"
 
 namespace slipstick {
 
@@ -24,8 +25,11 @@ class Firmware {
  public:
   static constexpr Moment kBootTime{70'000};  ///< From power on to "start".
 
-  /// Switched on at `power_on`.
-  Firmware(Machine& machine, const Personality& personality, Moment power_on);
+  static constexpr Moment kGuardPeriod{200'000};  ///< How often heaters are looked at.
+
+  /// Starts at `power_on` because of `cause`.
+  Firmware(Machine& machine, const Personality& personality, Moment power_on,
+           ResetCause cause = ResetCause::kPowerUp);
 
   [[nodiscard]] RxRing& ring() { return ring_; }
 
@@ -46,6 +50,9 @@ class Firmware {
     return booted_ && !machine_.halted && queue_.size() < personality_.queue_max;
   }
 
+  /// Stops for good and says why: `reason`, whole lines, before the firmware's own last words.
+  void kill(std::string_view reason);
+
   /// Numbered and unnumbered lines that entered the queue; Resend requests sent.
   [[nodiscard]] std::int64_t lines_accepted() const { return lines_accepted_; }
   [[nodiscard]] std::int64_t resends_requested() const { return resends_requested_; }
@@ -60,6 +67,9 @@ class Firmware {
   /// of a line.
   void obey_early(std::string_view line, Moment now);
   bool work(Moment now);
+  /// Looks at the heaters and stops for good where one is broken.
+  bool guard(Moment now);
+  [[nodiscard]] bool has_to_guard() const;
   bool report(Moment now);
   /// Says "wait" where there was nothing to do for long.
   bool idle(Moment now);
@@ -67,7 +77,6 @@ class Firmware {
   bool run_command(Moment now);
   [[nodiscard]] bool has_work() const;
   void begin_command(Moment now);
-  void kill();
 
   Machine& machine_;
   Personality personality_;
@@ -75,14 +84,18 @@ class Firmware {
   RxRing ring_;
   LineReader reader_;
   LineGate gate_;
+  ThermalGuard nozzle_guard_{nozzle_limits()};
+  ThermalGuard bed_guard_{bed_limits()};
   std::deque<std::string> queue_;  ///< Its front is the command that runs or runs next.
   std::string text_;
   Moment boot_at_;
+  ResetCause cause_;
   bool booted_ = false;
   bool ok_due_ = false;      ///< Whether the running command ends with "ok".
   bool resending_ = false;   ///< The Error line is out, the flush and the Resend are due.
   Moment busy_at_{0};        ///< When to say "busy", while a command runs.
   Moment wait_at_{0};        ///< When to say "wait", if nothing happens before.
+  Moment guard_at_{0};       ///< When to look at the heaters, if they are to be.
   Moment report_at_{0};      ///< Next automatic report.
   Moment report_period_{0};  ///< As it was when `report_at_` was set.
   std::int64_t lines_accepted_ = 0;

@@ -44,12 +44,23 @@ void Heater::shut_off() {
   share_ = 0;
 }
 
+double Heater::celsius() const {
+  if (defect_ == HeaterDefect::kSensorOpen) return kOpenCelsius;
+  if (defect_ == HeaterDefect::kSensorShorted) return kShortCelsius;
+  return celsius_;
+}
+
+double Heater::true_share() const {
+  if (defect_ == HeaterDefect::kCold) return 0;
+  return defect_ == HeaterDefect::kStuck ? 1 : share_;
+}
+
 double Heater::pid() {
   const double dt = seconds(kControlPeriod);
-  const double error = target_ - celsius_;
+  const double error = target_ - celsius();
   derivative_ = kDerivativeMemory * derivative_ +
-                (1 - kDerivativeMemory) * (kD / dt) * (last_celsius_ - celsius_);
-  last_celsius_ = celsius_;
+                (1 - kDerivativeMemory) * (kD / dt) * (last_celsius_ - celsius());
+  last_celsius_ = celsius();
   if (target_ <= 0 || error < -kPidRange) return 0;
   if (error > kPidRange) {
     integral_ = 0;
@@ -64,20 +75,28 @@ void Heater::control() {
     share_ = pid() / kSteps;
     next_control_ += kControlPeriod;
   } else {
-    share_ = celsius_ < target_ ? 1 : 0;
+    share_ = celsius() < target_ ? 1 : 0;
     next_control_ += kBedCheckPeriod;
   }
+}
+
+void Heater::warm(Moment to) {
+  const double settles_at = kRoomCelsius + true_share() * options_.rise_max;
+  celsius_ =
+      settles_at + (celsius_ - settles_at) * std::exp(-seconds(to - now_) / options_.time_constant);
+  now_ = to;
 }
 
 void Heater::advance(Moment to) {
   while (now_ < to) {
     if (next_control_ <= now_) control();
-    const Moment end = std::min(to, next_control_);
-    const double settles_at = kRoomCelsius + share_ * options_.rise_max;
-    celsius_ = settles_at +
-               (celsius_ - settles_at) * std::exp(-seconds(end - now_) / options_.time_constant);
-    now_ = end;
+    warm(std::min(to, next_control_));
   }
+}
+
+void Heater::coast(Moment to) {
+  if (now_ < to) warm(to);
+  next_control_ = std::max(next_control_, now_);
 }
 
 void Residency::see(double celsius, double target, Moment now) {

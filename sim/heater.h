@@ -7,6 +7,15 @@
 
 namespace slipstick {
 
+/// What may be broken of a heater.
+enum class HeaterDefect : std::uint8_t {
+  kNone,
+  kSensorOpen,     ///< The cable of the thermistor is cut: it reads -15 °C.
+  kSensorShorted,  ///< It reads more than any heater can reach.
+  kCold,           ///< No power reaches it, whatever the firmware gives.
+  kStuck,          ///< It has full power, whatever the firmware gives.
+};
+
 /// What a heater is made of and how the firmware drives it.
 struct HeaterOptions {
   enum class Control : std::uint8_t { kPid, kBangBang };
@@ -29,8 +38,10 @@ class Heater {
   static constexpr double kRoomCelsius = 22;
   static constexpr Moment kControlPeriod{164'000};     ///< Marlin's PID_dT.
   static constexpr Moment kBedCheckPeriod{5'000'000};  ///< Its BED_CHECK_INTERVAL.
-  static constexpr double kPidRange = 10;  ///< °C around the target; beyond it all or nothing.
-  static constexpr int kPowerMax = 127;    ///< As "@:127" reports it.
+  static constexpr double kPidRange = 10;      ///< °C around the target; beyond it all or nothing.
+  static constexpr int kPowerMax = 127;        ///< As "@:127" reports it.
+  static constexpr double kOpenCelsius = -15;  ///< Read of a sensor that is not there,
+  static constexpr double kShortCelsius = 400;  ///< or whose wires touch.
 
   explicit Heater(const HeaterOptions& options) : options_(options) {}
 
@@ -40,7 +51,15 @@ class Heater {
 
   /// Lets time pass; never back.
   void advance(Moment to);
-  [[nodiscard]] double celsius() const { return celsius_; }
+  /// The same while the firmware stands: the power stays what it is.
+  void coast(Moment to);
+  /// What the thermistor reads.
+  [[nodiscard]] double celsius() const;
+  /// How hot it is.
+  [[nodiscard]] double true_celsius() const { return celsius_; }
+  /// From now on this is broken, and nothing else.
+  void suffer(HeaterDefect defect) { defect_ = defect; }
+  [[nodiscard]] bool whole() const { return defect_ == HeaterDefect::kNone; }
   /// 0 to `kPowerMax`.
   [[nodiscard]] int power() const;
   /// Whether it has no target. Its power may last until the next step of the control.
@@ -52,7 +71,12 @@ class Heater {
   void control();
   [[nodiscard]] double pid();
 
+  void warm(Moment to);
+  /// Of full power: what reaches it.
+  [[nodiscard]] double true_share() const;
+
   HeaterOptions options_;
+  HeaterDefect defect_ = HeaterDefect::kNone;
   double celsius_ = kRoomCelsius;
   double target_ = 0;
   double share_ = 0;  ///< Of full power.

@@ -242,6 +242,11 @@ JudgedLayer judge_layer_over(const std::optional<PixelImage>& below,
   verdict.touches = !met.empty();
 
   const PixelImage voids = unmet(printed_free, free_is_met, frame);
+  if (verdict.void_mm2 > 0) {
+    const LargestSquare cell = largest_square(voids);
+    verdict.void_side = cell.side * options.pixel;
+    verdict.void_place = cell.middle;
+  }
   support |= voids;
   deposit |= voids;
   return {std::move(verdict), solid, std::move(deposit), std::move(support)};

@@ -69,6 +69,8 @@ struct LayerVerdict {
   double area_error =
       0;                 ///< Area of D outside the islands over theirs, stray material not counted.
   double void_mm2 = 0;   ///< Voids of D.
+  double void_side = 0;  ///< mm: of the largest square in one.
+  Vec2 void_place;       ///< Its middle.
   double stray_mm2 = 0;  ///< Stray material.
   double overhang_mm2 = 0;      ///< Bridges and overhangs that the solid asks for.
   bool touches = false;         ///< Whether any material meets an island.

@@ -33,10 +33,16 @@ struct Machine {
   bool halted = false;  ///< After kill(): only a reset helps.
 
   void advance(Moment now) {
-    if (halted) return;
-    planner.advance(now);
     nozzle.advance(now);
     bed.advance(now);
+    if (!halted) planner.advance(now);
+  }
+
+  /// The same while the firmware stands: moves are made, heaters are not controlled.
+  void coast(Moment now) {
+    nozzle.coast(now);
+    bed.coast(now);
+    if (!halted) planner.advance(now);
   }
 
   /// kill(): power off, silence.

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view kBusy = "echo:busy: processing\n";
 constexpr std::string_view kKilled = "Error:Printer halted. kill() called!\n";
-constexpr std::string_view kKilled21 = "echo:M112 Shutdown\nError:Printer halted. kill() called!\n";
+constexpr std::string_view kShutdown = "echo:M112 Shutdown\n";
 
 constexpr std::string_view kGreeting212 =
     "start\n"
@@ -68,6 +68,7 @@ constexpr std::array kPersonalities = std::to_array<Personality>({
      .early = EarlyStop::kExact,
      .busy = "",
      .wait_period = Moment(0),
+     .shutdown = "",
      .killed = kKilled,
      .queue_max = 4,
      .line_max = 95},
@@ -86,6 +87,7 @@ constexpr std::array kPersonalities = std::to_array<Personality>({
      .early = EarlyStop::kExact,
      .busy = kBusy,
      .wait_period = Moment(0),
+     .shutdown = "",
      .killed = kKilled,
      .queue_max = 4,
      .line_max = 95},
@@ -104,6 +106,7 @@ constexpr std::array kPersonalities = std::to_array<Personality>({
      .early = EarlyStop::kPrefix,
      .busy = kBusy,
      .wait_period = Moment(0),
+     .shutdown = "",
      .killed = kKilled,
      .queue_max = 4,
      .line_max = 95},
@@ -122,6 +125,7 @@ constexpr std::array kPersonalities = std::to_array<Personality>({
      .early = EarlyStop::kPrefix,
      .busy = kBusy,
      .wait_period = Moment(0),
+     .shutdown = "",
      .killed = kKilled,
      .queue_max = 4,
      .line_max = 95},
@@ -140,6 +144,7 @@ constexpr std::array kPersonalities = std::to_array<Personality>({
      .early = EarlyStop::kPrefix,
      .busy = kBusy,
      .wait_period = Moment(0),
+     .shutdown = "",
      .killed = kKilled,
      .queue_max = 4,
      .line_max = 95},
@@ -156,7 +161,8 @@ constexpr std::array kPersonalities = std::to_array<Personality>({
      .early = EarlyStop::kPrefix,
      .busy = kBusy,
      .wait_period = Moment(0),
-     .killed = kKilled21,
+     .shutdown = kShutdown,
+     .killed = kKilled,
      .queue_max = 4,
      .line_max = 95},
     {.name = "prusa-mk3",
@@ -175,6 +181,7 @@ constexpr std::array kPersonalities = std::to_array<Personality>({
      .early = EarlyStop::kBare,
      .busy = kBusy,
      .wait_period = Moment(0),
+     .shutdown = "",
      .killed = kKilled,
      .queue_max = 4,
      .line_max = 95},
@@ -192,6 +199,7 @@ constexpr std::array kPersonalities = std::to_array<Personality>({
      .early = EarlyStop::kExact,
      .busy = kBusy,
      .wait_period = Moment(0),
+     .shutdown = "",
      .killed = kKilled,
      .queue_max = 4,
      .line_max = 95},
@@ -208,6 +216,7 @@ constexpr std::array kPersonalities = std::to_array<Personality>({
      .early = EarlyStop::kBare,
      .busy = "busy:processing\n",
      .wait_period = Moment(1'000'000),
+     .shutdown = "",
      .killed = "fatal:emergency stop\n",
      .queue_max = 2,
      .line_max = 95},
@@ -225,6 +234,7 @@ constexpr std::array kPersonalities = std::to_array<Personality>({
      .early = EarlyStop::kBare,
      .busy = "",
      .wait_period = Moment(0),
+     .shutdown = "",
      .killed = "Error: emergency stop\n",
      .queue_max = 1,
      .line_max = 255},
@@ -242,6 +252,7 @@ constexpr std::array kPersonalities = std::to_array<Personality>({
      .early = EarlyStop::kBare,
      .busy = "",
      .wait_period = Moment(0),
+     .shutdown = "",
      .killed = "ok Emergency Stop Requested\n",
      .queue_max = 4,
      .line_max = 95},
@@ -258,10 +269,28 @@ constexpr std::array kPersonalities = std::to_array<Personality>({
      .early = EarlyStop::kExact,
      .busy = "",
      .wait_period = Moment(0),
+     .shutdown = "",
      .killed = "!! Shutdown due to M112 command\n",
      .queue_max = 20,
      .line_max = 4095},
 });
+
+constexpr std::string_view kPowerUp = "PowerUp\n";
+
+std::string_view cause_line(ResetCause cause) {
+  switch (cause) {
+    case ResetCause::kButton:
+      return " External Reset\n";
+    case ResetCause::kBrownOut:
+      return " Brown out Reset\n";
+    case ResetCause::kWatchdog:
+      return " Watchdog Reset\n";
+    case ResetCause::kPowerUp:
+    case ResetCause::kUnheard:
+      break;
+  }
+  return kPowerUp;
+}
 
 }  // namespace
 
@@ -285,8 +314,13 @@ std::string personality_names() {
   return names;
 }
 
-std::string banner_report(const Personality& personality, const Machine& machine) {
+std::string banner_report(const Personality& personality, const Machine& machine,
+                          ResetCause cause) {
+  if (cause == ResetCause::kUnheard) return {};
   std::string text(personality.greeting);
+  if (const std::size_t at = text.find(kPowerUp); at != std::string::npos) {
+    text.replace(at, kPowerUp.size(), cause_line(cause));
+  }
   if (personality.greets_with_settings) text += settings_report(machine);
   return text;
 }

@@ -21,6 +21,15 @@ enum class EarlyStop : std::uint8_t {
   kBare,    ///< Nothing but the code, once line number and checksum are off.
 };
 
+/// Why the board starts.
+enum class ResetCause : std::uint8_t {
+  kPowerUp,
+  kButton,
+  kBrownOut,
+  kWatchdog,
+  kUnheard,  ///< Whatever it was: nothing of what the board says about it comes through.
+};
+
 /// In whose words a line is refused.
 enum class Complaint : std::uint8_t { kMarlin, kRepetier, kNone };
 
@@ -37,11 +46,12 @@ struct Personality {
   std::string_view resend_tail;  ///< The line after it.
   OkTime ok;
   EarlyStop early;
-  std::string_view busy;    ///< Keep-alive while a handler runs.
-  Moment wait_period;       ///< "wait" after so long without anything to do; 0 is never.
-  std::string_view killed;  ///< The last words.
-  std::size_t queue_max;    ///< Commands, the running one included.
-  std::size_t line_max;     ///< Bytes of a line that are kept.
+  std::string_view busy;      ///< Keep-alive while a handler runs.
+  Moment wait_period;         ///< "wait" after so long without anything to do; 0 is never.
+  std::string_view shutdown;  ///< Said first when M112 is obeyed.
+  std::string_view killed;    ///< The last words, whatever the reason.
+  std::size_t queue_max;      ///< Commands, the running one included.
+  std::size_t line_max;       ///< Bytes of a line that are kept.
 };
 
 /// The firmware that is simulated when nothing else is said: Marlin 2.1.2.
@@ -54,7 +64,8 @@ struct Personality {
 [[nodiscard]] std::string personality_names();
 
 /// What it says when it has booted, and to M115.
-[[nodiscard]] std::string banner_report(const Personality& personality, const Machine& machine);
+[[nodiscard]] std::string banner_report(const Personality& personality, const Machine& machine,
+                                        ResetCause cause);
 [[nodiscard]] std::string identity_report(const Personality& personality);
 
 }  // namespace slipstick

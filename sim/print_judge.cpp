@@ -20,7 +20,40 @@ void PrintJudge::add(const ExtrudedSegment& bead) {
 
 const PrintVerdict& PrintJudge::finish() {
   if (!beads_.empty()) judge();
+  if (!finished_) look_at_series();
+  finished_ = true;
   return verdict_;
+}
+
+void PrintJudge::look_at_series() {
+  for (const std::size_t i : hollow_layers(traces_)) {
+    const LayerTrace& layer = traces_[i];
+    ++verdict_.infill_missing;
+    list({static_cast<int>(i),
+          layer.top,
+          {DefectKind::kInfillMissing, layer.cell_place, layer.cell * layer.cell}});
+  }
+  for (const LayerGap& gap : gaps_in(traces_)) note_gap(gap);
+}
+
+/// Each layer of the gap that the solid asks for, at the first of its islands.
+void PrintJudge::note_gap(const LayerGap& gap) {
+  const LayerTrace& above = traces_[gap.above];
+  for (int i = 1; i <= gap.missing; ++i) {
+    const double top = above.top - above.height + i * gap.height;
+    const auto contours = contours_of_(top, gap.height);
+    if (!contours) continue;
+    const LayerVerdict nothing = judge_layer({}, *contours, options_);
+    if (nothing.defects.empty()) continue;
+    ++verdict_.layers_missing;
+    list({static_cast<int>(gap.above),
+          top,
+          {DefectKind::kLayerMissing, nothing.defects.front().place, nothing.solid_mm2}});
+  }
+}
+
+void PrintJudge::list(const PrintDefect& defect) {
+  if (verdict_.defects.size() < PrintVerdict::kDefectsListed) verdict_.defects.push_back(defect);
 }
 
 std::optional<Topology> PrintJudge::printed_topology() const {
@@ -46,6 +79,7 @@ void PrintJudge::judge() {
   }
   verdict_.top = first.z;
   verdict_.height_max = std::max(verdict_.height_max, first.height);
+  traces_.push_back({first.z, first.height, judged->verdict.void_side, judged->verdict.void_place});
   note(judged->verdict);
   if (printed_) printed_->add(judged->shape);
   if (wanted_) wanted_->add(judged->wanted);
@@ -57,9 +91,7 @@ void PrintJudge::note(const LayerVerdict& layer) {
   for (const Defect& defect : layer.defects) {
     v.rims_bare += defect.kind == DefectKind::kRimBare ? 1 : 0;
     v.in_the_air += defect.kind == DefectKind::kInTheAir ? 1 : 0;
-    if (v.defects.size() < PrintVerdict::kDefectsListed) {
-      v.defects.push_back({v.layers, v.top, defect});
-    }
+    list({v.layers, v.top, defect});
   }
   ++v.layers;
   v.components_wrong += layer.components_wrong;

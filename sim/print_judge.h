@@ -5,14 +5,15 @@
 #include <vector>
 
 #include "sim/judge.h"
+#include "sim/layer_series.h"
 #include "sim/print_ledger.h"
 
 namespace slipstick {
 
 /// A fault of a print.
 struct PrintDefect {
-  int layer = 0;  ///< Counted from 0 over the layers judged.
-  double z = 0;   ///< mm: its top.
+  int layer = 0;  ///< Counted from 0 over the layers judged; the one above what was left out.
+  double z = 0;   ///< mm: its top, or the top of the layer that was left out.
   Defect defect;
 
   friend bool operator==(const PrintDefect&, const PrintDefect&) = default;
@@ -26,6 +27,8 @@ struct PrintVerdict {
   int holes_wrong = 0;
   int rims_bare = 0;
   int in_the_air = 0;
+  int infill_missing = 0;      ///< Layers with a void out of proportion (layer_series.h).
+  int layers_missing = 0;      ///< Left out below others.
   double area_error_max = 0;   ///< Of one layer.
   double area_error_mean = 0;  ///< Over the layers judged.
   double stray_mm2 = 0;
@@ -40,12 +43,13 @@ struct PrintVerdict {
   static constexpr std::size_t kDefectsListed = 1000;
 
   [[nodiscard]] int wrong() const {
-    return components_wrong + holes_wrong + rims_bare + in_the_air;
+    return components_wrong + holes_wrong + rims_bare + in_the_air + infill_missing +
+           layers_missing;
   }
 };
 
-/// Judges a print layer by layer while it is made; keeps the beads of one layer and the pixels of
-/// the one below.
+/// Judges a print layer by layer while it is made; keeps the beads of one layer, the pixels of
+/// the one below and five numbers of each.
 ///
 /// Beads that touch no island before any layer did (a prime line at a height of its own) are not a
 /// layer; they count as unknown.
@@ -65,7 +69,7 @@ class PrintJudge {
   /// Takes the next bead. One at another z ends the layer before it.
   void add(const ExtrudedSegment& bead);
 
-  /// Ends the last layer. \return The finding on all layers.
+  /// Ends the last layer, and looks at the layers as a series. \return The finding on all layers.
   const PrintVerdict& finish();
 
   [[nodiscard]] const PrintVerdict& verdict() const { return verdict_; }
@@ -77,6 +81,9 @@ class PrintJudge {
  private:
   void judge();
   void note(const LayerVerdict& layer);
+  void list(const PrintDefect& defect);
+  void look_at_series();
+  void note_gap(const LayerGap& gap);
 
   ContoursOf contours_of_;
   JudgeOptions options_;
@@ -84,6 +91,8 @@ class PrintJudge {
   std::optional<PixelImage> below_;
   std::optional<PrintLedger> printed_;
   std::optional<PrintLedger> wanted_;
+  std::vector<LayerTrace> traces_;  ///< Of the layers judged.
+  bool finished_ = false;
   PrintVerdict verdict_;
 };
 

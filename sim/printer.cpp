@@ -13,14 +13,45 @@ constexpr std::uint64_t kOtherDirection = 0x5EED;
 }  // namespace
 
 Printer::Printer(const PrinterOptions& options, const Planner::Sink& sink)
-    : machine_(std::make_unique<Machine>(options.build_volume, sink)),
+    : machine_(std::make_unique<Machine>(options.build_volume, through(spool_, sink))),
       personality_(options.personality),
       firmware_(std::make_unique<Firmware>(*machine_, personality_, Moment(0))),
       to_board_(options.baud, FaultPlan(options.corrupt, options.seed)),
-      to_host_(options.baud, FaultPlan(options.corrupt, options.seed ^ kOtherDirection)) {}
+      to_host_(options.baud, FaultPlan(options.corrupt, options.seed ^ kOtherDirection)),
+      faults_(options.faults, options.seed) {}
 
 void Printer::receive(std::string_view bytes, Moment at) {
-  to_board_.push(bytes, std::max(at, now_));
+  if (!plugged_) return;
+  const Moment arrives = std::max(at, now_);
+  to_board_.push(faults_.to_board(bytes, arrives), arrives);
+}
+
+Planner::Sink Printer::through(const std::shared_ptr<Spool>& spool, const Planner::Sink& sink) {
+  if (!sink) return {};
+  return [spool, sink](const ExecutedMove& move) {
+    ExecutedMove made = move;
+    if (spool->empty) made.to.e = std::min(made.to.e, made.from.e);
+    sink(made);
+  };
+}
+
+void Printer::kill() {
+  firmware_->kill({});
+  transmit(firmware_->take_text());
+}
+
+void Printer::unplug() {
+  plugged_ = false;
+  to_board_.clear();
+  to_host_.clear();
+}
+
+void Printer::say(std::string_view words) {
+  to_host_.push(words, now_);
+}
+
+void Printer::break_heater(Heater Machine::*heater, HeaterDefect defect) {
+  (*machine_.*heater).suffer(defect);
 }
 
 /// A UART pushes what arrives into the ring or loses it; USB waits for room. While the board boots,
@@ -39,19 +70,29 @@ bool Printer::deliver() {
 
 bool Printer::think() {
   if (!processor_free() || !firmware_->step(now_)) return false;
-  if (const std::string text = firmware_->take_text(); !text.empty()) {
-    to_host_.push(text, now_);
-    busy_until_ = std::max(now_, to_host_.idle_at());
-  }
+  if (const std::string text = firmware_->take_text(); !text.empty()) transmit(text);
   return true;
+}
+
+/// The processor waits for the transmitter, but not for what is late beyond it.
+void Printer::transmit(const std::string& text) {
+  if (!plugged_) return;
+  const Moment late = faults_.delay(now_);
+  to_host_.push(faults_.to_host(text, now_), now_ + late);
+  busy_until_ = std::max(now_, to_host_.idle_at() - late);
 }
 
 /// All that can happen at this moment. Ends because every step consumes bytes, a command or a due
 /// time.
 void Printer::settle() {
-  machine_->advance(now_);
+  if (frozen_) {
+    machine_->coast(now_);
+  } else {
+    machine_->advance(now_);
+  }
   bool active = true;
   while (active) {
+    faults_.see(*this);
     active = false;
     while (deliver()) active = true;
     active = think() || active;
@@ -61,9 +102,12 @@ void Printer::settle() {
 std::optional<Moment> Printer::next_event() const {
   std::optional<Moment> first;
   const auto consider = [&](Moment m) { first = first ? std::min(*first, m) : m; };
-  if (const auto m = firmware_->wakes_at(now_)) consider(std::max(*m, busy_until_));
-  if (const auto m = to_board_.next_at(); m && firmware_->reads()) {
-    consider(std::max(*m, busy_until_));
+  if (const auto m = faults_.next_at()) consider(*m);
+  if (!frozen_) {
+    if (const auto m = firmware_->wakes_at(now_)) consider(std::max(*m, busy_until_));
+    if (const auto m = to_board_.next_at(); m && firmware_->reads()) {
+      consider(std::max(*m, busy_until_));
+    }
   }
   if (!machine_->halted) {
     if (const auto m = machine_->planner.next_event()) consider(*m);
@@ -83,9 +127,10 @@ void Printer::advance(Moment to) {
   settle();
 }
 
-void Printer::reset() {
+void Printer::reset(ResetCause cause) {
   machine_->reset();
-  firmware_ = std::make_unique<Firmware>(*machine_, personality_, now_);
+  firmware_ = std::make_unique<Firmware>(*machine_, personality_, now_, cause);
+  frozen_ = false;
   busy_until_ = now_;
 }
 
@@ -94,7 +139,8 @@ PrinterStatistics Printer::statistics() const {
           .lines_accepted = firmware_->lines_accepted(),
           .resends_requested = firmware_->resends_requested(),
           .bytes_overrun = bytes_overrun_,
-          .bytes_damaged = to_board_.faults().count() + to_host_.faults().count()};
+          .bytes_damaged = to_board_.faults().count() + to_host_.faults().count(),
+          .faults = faults_.count()};
 }
 
 }  // namespace slipstick

@@ -5,10 +5,12 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "core/base/vec.h"
 #include "drivers/clock.h"
 #include "sim/byte_pipe.h"
+#include "sim/faults/fault_set.h"
 #include "sim/firmware.h"
 #include "sim/machine.h"
 
@@ -20,6 +22,7 @@ struct PrinterOptions {
   std::uint64_t seed = 1;  ///< Of all chance.
   Vec3 build_volume{220, 220, 250};
   Personality personality = default_personality();
+  std::vector<FaultSpec> faults = {};
 };
 
 /// What happened on the wire and on the machine so far.
@@ -28,7 +31,8 @@ struct PrinterStatistics {
   std::int64_t lines_accepted = 0;
   std::int64_t resends_requested = 0;
   std::int64_t bytes_overrun = 0;  ///< Came to a full receive buffer and were lost.
-  std::int64_t bytes_damaged = 0;  ///< Both ways.
+  std::int64_t bytes_damaged = 0;  ///< Both ways, by `corrupt`.
+  std::int64_t faults = 0;         ///< How often the faults by name did harm.
 };
 
 /// A printer with a board, Marlin 2.1.2's unless another personality is given: bytes in, time,
@@ -56,9 +60,28 @@ class Printer {
   /// When the first byte not yet taken reaches the host.
   [[nodiscard]] std::optional<Moment> output_at() const { return to_host_.next_at(); }
 
-  /// Presses the reset button: heaters lose their targets, motion stops where it is, "start" comes
+  /// Starts the board anew: heaters lose their targets, motion stops where it is, "start" comes
   /// again.
-  void reset();
+  void reset(ResetCause cause = ResetCause::kPowerUp);
+
+  // What faults do to it.
+  /// The firmware stops for good of itself.
+  void kill();
+  /// `words` come from the board that are no answer.
+  void say(std::string_view words);
+  /// The firmware's main loop stands, or runs again.
+  void freeze() { frozen_ = true; }
+  void thaw() { frozen_ = false; }
+  /// The cable is pulled out, or put in again; meanwhile nothing comes through either way.
+  void unplug();
+  void plug_in() { plugged_ = true; }
+  void break_heater(Heater Machine::*heater, HeaterDefect defect);
+  /// The motor turns and nothing comes, or does again.
+  void run_out_of_filament() { spool_->empty = true; }
+  void reload_filament() { spool_->empty = false; }
+
+  [[nodiscard]] bool plugged() const { return plugged_; }
+  [[nodiscard]] std::int64_t lines_accepted() const { return firmware_->lines_accepted(); }
 
   [[nodiscard]] const Machine& machine() const { return *machine_; }
   [[nodiscard]] PrinterStatistics statistics() const;
@@ -67,13 +90,24 @@ class Printer {
   void settle();
   bool deliver();
   bool think();
-  [[nodiscard]] bool processor_free() const { return now_ >= busy_until_; }
+  void transmit(const std::string& text);
+  [[nodiscard]] bool processor_free() const { return !frozen_ && now_ >= busy_until_; }
 
+  struct Spool {
+    bool empty = false;
+  };
+  [[nodiscard]] static Planner::Sink through(const std::shared_ptr<Spool>& spool,
+                                             const Planner::Sink& sink);
+
+  std::shared_ptr<Spool> spool_ = std::make_shared<Spool>();  ///< The machine's sink looks at it.
   std::unique_ptr<Machine> machine_;  ///< Behind a pointer so that a Printer can be moved.
   Personality personality_;
   std::unique_ptr<Firmware> firmware_;
   BytePipe to_board_;
   BytePipe to_host_;
+  FaultSet faults_;
+  bool frozen_ = false;
+  bool plugged_ = true;
   Moment now_{0};
   Moment busy_until_{0};  ///< The processor waits for the transmitter.
   std::int64_t bytes_overrun_ = 0;

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <functional>
@@ -24,9 +25,15 @@ namespace {
 
 /// Longest sleep: time is told to the printer at least so often.
 constexpr Moment kTick{50'000};
+constexpr double kSlowest = 0.01;
+constexpr double kFastest = 1000;
 constexpr std::size_t kChunk = 4096;
 /// A host that sends faster than the board reads waits in its own buffers beyond this.
 constexpr std::size_t kUnreadMax = 4096;
+
+Moment times(Moment time, double factor) {
+  return Moment(std::llround(static_cast<double>(time.count()) * factor));
+}
 
 tl::unexpected<Error> system_error(std::string_view what) {
   return fail(ErrorCode::kUnavailable, fmt::format("{}: {}", what, std::strerror(errno)));
@@ -69,7 +76,11 @@ Result<PtyServer> PtyServer::open(const PtyServerOptions& options, Printer print
   if (options.pty_path.empty() && !options.tcp_port) {
     return fail(ErrorCode::kInput, "simulated printer: give a path for a terminal or a TCP port");
   }
-  PtyServer server(std::move(printer));
+  if (!(options.speed >= kSlowest && options.speed <= kFastest)) {
+    return fail(ErrorCode::kInput, fmt::format("simulated printer: speed {}: give {} to {}",
+                                               options.speed, kSlowest, kFastest));
+  }
+  PtyServer server(std::move(printer), options.speed);
   if (!options.pty_path.empty()) {
     if (auto opened = server.open_terminal(options.pty_path); !opened) return fail(opened.error());
   }
@@ -80,9 +91,23 @@ Result<PtyServer> PtyServer::open(const PtyServerOptions& options, Printer print
 }
 
 PtyServer::~PtyServer() {
-  if (link_.empty() || link_target(link_) != device_) return;
+  close_terminal();
+}
+
+void PtyServer::close_terminal() {
   std::error_code error;
-  std::filesystem::remove(link_, error);
+  if (!link_.empty() && link_target(link_) == device_) std::filesystem::remove(link_, error);
+  terminal_.reset();
+  terminal_held_.reset();
+}
+
+Result<void> PtyServer::follow_cable() {
+  if (printer_.plugged() == cable_in_) return {};
+  cable_in_ = printer_.plugged();
+  if (cable_in_) return link_.empty() ? Result<void>() : open_terminal(link_);
+  close_terminal();
+  client_.reset();
+  return {};
 }
 
 Result<void> PtyServer::open_terminal(const std::string& path) {
@@ -156,12 +181,12 @@ Result<void> PtyServer::wait(int stop_fd, Moment elapsed) {
   const short input = printer_.unread() < kUnreadMax ? POLLIN : 0;
   std::array<pollfd, 4> fds{{{stop_fd, POLLIN, 0},
                              {terminal_.get(), input, 0},
-                             {listener_.get(), POLLIN, 0},
+                             {cable_in_ ? listener_.get() : -1, POLLIN, 0},
                              {client_.get(), input, 0}}};
-  Moment next = elapsed + kTick;
+  Moment next = elapsed + times(kTick, speed_);
   if (const auto m = printer_.next_event()) next = std::min(next, *m);
   if (const auto m = printer_.output_at()) next = std::min(next, *m);
-  const auto patience = std::chrono::nanoseconds(std::max(Moment(0), next - elapsed));
+  const std::chrono::nanoseconds patience = times(std::max(Moment(0), next - elapsed), 1 / speed_);
   const timespec timeout{0, static_cast<long>(patience.count())};
   if (::ppoll(fds.data(), fds.size(), &timeout, nullptr) < 0 && errno != EINTR) {
     return system_error("simulated printer: poll");
@@ -177,11 +202,14 @@ Result<void> PtyServer::run(const std::stop_token& stop) {
   if (!stop_event.valid()) return system_error("simulated printer: eventfd");
   const std::stop_callback wake(stop, [fd = stop_event.get()] { eventfd_write(fd, 1); });
 
-  const auto started = std::chrono::steady_clock::now() - printer_.now();
+  const auto started = std::chrono::steady_clock::now();
+  const Moment began = printer_.now();
   while (!stop.stop_requested()) {
-    const auto elapsed =
+    const auto passed =
         std::chrono::duration_cast<Moment>(std::chrono::steady_clock::now() - started);
+    const Moment elapsed = began + times(passed, speed_);
     printer_.advance(elapsed);
+    if (auto followed = follow_cable(); !followed) return followed;
     speak();
     if (auto waited = wait(stop_event.get(), elapsed); !waited) return waited;
   }

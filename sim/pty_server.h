@@ -15,18 +15,22 @@ namespace slipstick {
 struct PtyServerOptions {
   std::string pty_path;         ///< Where the link to the pseudo-terminal is made; empty is none.
   std::optional<int> tcp_port;  ///< On 127.0.0.1; 0 lets the system choose.
+  double speed = 1;             ///< Seconds of the printer in one of the host's, 0.01 to 1000.
 };
 
-/// A printer in real time for any host program: behind a pseudo-terminal, a TCP port or both.
+/// A printer in real time, or so many times as fast, for any host program: behind a
+/// pseudo-terminal, a TCP port or both.
 ///
 /// Both lead to the one serial port of the board: it hears whoever speaks and all hear it. A TCP
 /// connection resets the board, as opening the port of an Arduino does; a newer one replaces an
 /// older one. What the board says while nobody listens is lost once the terminal's buffer is full.
+/// While the cable is out there is neither terminal nor link, and no connection.
 class PtyServer {
  public:
   /// Opens what `options` ask for. The link to the terminal goes away with the server.
   ///
-  /// \return kInput if nothing is asked for; kUnavailable if the link's path exists and is not such
+  /// \return kInput if nothing is asked for, or a speed that cannot be; kUnavailable if the link's
+  /// path exists and is not such
   /// a
   ///   link, the port is taken or the system has no terminal left.
   [[nodiscard]] static Result<PtyServer> open(const PtyServerOptions& options, Printer printer);
@@ -46,22 +50,27 @@ class PtyServer {
   [[nodiscard]] const Printer& printer() const { return printer_; }
 
  private:
-  explicit PtyServer(Printer printer) : printer_(std::move(printer)) {}
+  PtyServer(Printer printer, double speed) : printer_(std::move(printer)), speed_(speed) {}
 
   [[nodiscard]] Result<void> open_terminal(const std::string& path);
   [[nodiscard]] Result<void> listen_on(int port);
   [[nodiscard]] Result<void> wait(int stop_fd, Moment elapsed);
+  /// Takes the terminal away when the cable is pulled out, and makes a new one when it is back.
+  [[nodiscard]] Result<void> follow_cable();
+  void close_terminal();
   void accept_client();
   void hear(int fd, Moment elapsed);
   void speak();
 
   Printer printer_;
+  double speed_;
   UniqueFd terminal_;       ///< The master side.
   UniqueFd terminal_held_;  ///< The other side, held open so that the terminal outlives its users.
   UniqueFd listener_;
   UniqueFd client_;
   std::string device_;
   std::string link_;  ///< Removed at the end if it still leads to `device_`.
+  bool cable_in_ = true;
   int tcp_port_ = 0;
 };
 

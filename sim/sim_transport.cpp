@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kBaudMax = 10'000'000;
 constexpr double kSeedMax = 9e15;
+constexpr std::size_t kFaultsMax = 64;
 
 tl::unexpected<Error> bad_value(std::string_view name, std::string_view value,
                                 std::string_view wanted) {
@@ -30,6 +31,20 @@ std::optional<double> number_in(const std::string& text, double low, double high
 
 bool is_whole(double value) {
   return value == std::floor(value);
+}
+
+Result<void> add_faults(SimOptions& options, std::string_view list) {
+  while (!list.empty()) {
+    const std::size_t end = std::min(list.find(','), list.size());
+    const auto spec = FaultSpec::parse(list.substr(0, end));
+    if (!spec) return fail(spec.error());
+    if (options.printer.faults.size() == kFaultsMax) {
+      return fail(ErrorCode::kInput, fmt::format("sim: more than {} faults", kFaultsMax));
+    }
+    options.printer.faults.push_back(*spec);
+    list.remove_prefix(std::min(end + 1, list.size()));
+  }
+  return {};
 }
 
 Result<void> apply(SimOptions& options, const std::string& name, const std::string& value) {
@@ -48,6 +63,8 @@ Result<void> apply(SimOptions& options, const std::string& name, const std::stri
   } else if (name == "realtime") {
     if (value != "0" && value != "1") return bad_value(name, value, "0 or 1");
     options.realtime = value == "1";
+  } else if (name == "fault") {
+    return add_faults(options, value);
   } else if (name == "firmware") {
     const auto personality = find_personality(value);
     if (!personality) return bad_value(name, value, "one of " + personality_names());
@@ -55,9 +72,14 @@ Result<void> apply(SimOptions& options, const std::string& name, const std::stri
   } else {
     return fail(
         ErrorCode::kInput,
-        fmt::format("sim: no option {}: there are baud, corrupt, firmware, realtime, seed", name));
+        fmt::format("sim: no option {}: there are baud, corrupt, fault, firmware, realtime, seed",
+                    name));
   }
   return {};
+}
+
+tl::unexpected<Error> unplugged() {
+  return fail(ErrorCode::kUnavailable, "sim: the cable is out");
 }
 
 tl::unexpected<Error> cancelled() {
@@ -104,6 +126,7 @@ Result<std::size_t> SimTransport::read_some(std::span<char> buffer,
   if (realtime_) advance_to(std::max(printer_.now(), steady_now()));
   const Moment deadline = printer_.now() + patience;
   while (!shut_down_) {
+    if (!printer_.plugged()) return unplugged();
     if (const std::size_t count = printer_.take(buffer); count > 0) return count;
     if (printer_.now() >= deadline) {
       return fail(ErrorCode::kTimedOut, "sim: the printer said nothing");
@@ -118,6 +141,7 @@ Result<std::size_t> SimTransport::write_some(std::string_view bytes,
   if (realtime_) advance_to(std::max(printer_.now(), steady_now()));
   const Moment deadline = printer_.now() + patience;
   while (!shut_down_) {
+    if (!printer_.plugged()) return unplugged();
     const std::size_t room = kTtyBuffer - std::min(kTtyBuffer, printer_.unread());
     if (const std::size_t count = std::min(room, bytes.size()); count > 0) {
       printer_.receive(bytes.substr(0, count), printer_.now());

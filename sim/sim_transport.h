@@ -19,7 +19,7 @@ struct SimOptions {
 };
 
 /// What the options of an address say: `sim:?seed=7&corrupt=0.002&baud=250000&realtime=1&
-/// firmware=marlin-2.1.2`.
+/// firmware=marlin-2.1.2&fault=lose-ok,reset@line200`.
 ///
 /// \return kInput for an option or a value that does not exist, with the ones that do.
 [[nodiscard]] Result<SimOptions> sim_options(const std::map<std::string, std::string>& options);
@@ -28,7 +28,7 @@ struct SimOptions {
 /// computing does not.
 ///
 /// Like a serial port it takes up to 4 kB that the board has not read yet; a write beyond that
-/// waits. Threads as in `Transport`.
+/// waits. While the cable is out it fails with kUnavailable. Threads as in `Transport`.
 class SimTransport final : public Transport {
  public:
   static constexpr std::size_t kTtyBuffer = 4096;

@@ -12,6 +12,7 @@
 #include "host/gcode_judge_report.h"
 #include "host/interrupt.h"
 #include "host/options.h"
+#include "sim/faults/fault_names.h"
 #include "sim/pty_server.h"
 #include "sim/sim_transport.h"
 
@@ -21,7 +22,9 @@ namespace {
 struct SimCommand {
   std::string pty;
   int tcp = -1;
+  double speed = 1;
   std::string options;
+  std::vector<std::string> faults;
   std::string gcode;
   ModelOptions against;
   SlicingOptions slicing;
@@ -43,9 +46,14 @@ std::map<std::string, std::string> options_of(const SimCommand& command) {
 
 CommandResult run_sim(const SimCommand& command) {
   using namespace std::chrono_literals;
-  const auto options = sim_options(options_of(command));
+  auto options = sim_options(options_of(command));
   if (!options) return fail(options.error());
-  PtyServerOptions where{command.pty, {}};
+  for (const std::string& text : command.faults) {
+    const auto fault = FaultSpec::parse(text);
+    if (!fault) return fail(fault.error());
+    options->printer.faults.push_back(*fault);
+  }
+  PtyServerOptions where{command.pty, {}, command.speed};
   if (command.tcp >= 0) where.tcp_port = command.tcp;
   auto server = PtyServer::open(where, Printer(options->printer));
   if (!server) return fail(server.error());
@@ -92,6 +100,12 @@ void add_sim_command(CLI::App& app, ChosenCommand& run) {
                   ->check(CLI::Range(0, 65535));
   sub->add_option("--options", command->options,
                   "as behind 'sim:?': seed=7&corrupt=0.002&baud=115200");
+  sub->add_option("--speed", command->speed, "seconds of the printer in one of real time")
+      ->check(CLI::Range(0.01, 1000.0));
+  sub->add_option("--fault", command->faults,
+                  "something that goes wrong, NAME[=VALUE][@WHEN]; the names are below. WHEN is "
+                  "SECONDS since power on, FROM-TO or lineN; may be given again")
+      ->allow_extra_args(false);
   auto* gcode = sub->add_option("--gcode", command->gcode, "a program to print and to judge");
   auto* against =
       sub->add_option("--against", command->against.path, "the model that it is to print");
@@ -101,8 +115,9 @@ void add_sim_command(CLI::App& app, ChosenCommand& run) {
   command->against.add_to(*sub);
   command->slicing.add_to(*sub);
   sub->footer(
-      "Example: slipstick sim --pty /tmp/printer\n"
-      "         slipstick sim --gcode part.gcode --against part.lua");
+      "Example: slipstick sim --pty /tmp/printer --fault lose-ok=0.02 --fault reset@line200\n"
+      "         slipstick sim --gcode part.gcode --against part.lua\n\nFaults:\n" +
+      help_on_faults());
   sub->callback([command, &run, pty, tcp, gcode] {
     if (gcode->count() > 0) {
       run = [command] { return run_judge(*command); };

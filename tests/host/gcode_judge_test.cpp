@@ -154,6 +154,26 @@ TEST_CASE("The judge finds each planted defect in its layer and place, and no ot
   CHECK(report["topology"]["printed"] != report["topology"]["model"]);
 }
 
+TEST_CASE("The judge finds a layer that was left out below the top") {
+  const Bench bench;
+  Program program = bench.program();
+  const auto from = std::find(program.begin(), program.end(), ";LAYER:5");
+  program.erase(from, std::find(from, program.end(), ";LAYER:6"));
+
+  const auto done = bench.judge(program);
+
+  INFO(done.err << done.out);
+  CHECK(done.status == 1);
+  const auto report = nlohmann::json::parse(done.out);
+  CHECK(report["deposit"]["layers_missing"] == 1);
+  const auto& defects = report["defects"];
+  const auto left_out = std::find_if(defects.begin(), defects.end(),
+                                     [](const auto& d) { return d["kind"] == "layer left out"; });
+  REQUIRE(left_out != defects.end());
+  CHECK((*left_out)["layer"] == 5);
+  CHECK((*left_out)["z"].get<double>() == Approx(1.7));  // The first is 0.2 mm, five of 0.3 follow.
+}
+
 TEST_CASE("A program that ends too early, or lays nothing, is wrong and says so") {
   const Bench bench;
   Program program = bench.program();

@@ -57,8 +57,8 @@ void write_text(int fd, std::string_view text) {
 /// A server that runs as long as this lives.
 class Running {
  public:
-  explicit Running(const PtyServerOptions& options)
-      : server_(PtyServer::open(options, Printer({}))) {
+  explicit Running(const PtyServerOptions& options, const PrinterOptions& printer = {})
+      : server_(PtyServer::open(options, Printer(printer))) {
     REQUIRE(server_);
     thread_ = std::jthread([this](const std::stop_token& stop) { failed_ = !server_->run(stop); });
   }
@@ -117,6 +117,28 @@ TEST_CASE("The link goes away with the server, and one left behind is replaced")
   CHECK_FALSE(std::filesystem::is_symlink(path));
 }
 
+TEST_CASE("A pulled cable takes the terminal away; when it is back there is another one") {
+  const Folder folder;
+  const std::string path = folder.file("printer");
+  PrinterOptions options;
+  options.faults = {FaultSpec::parse("unplug=0.2@line1").value()};
+  const Running running({.pty_path = path, .tcp_port = std::nullopt}, options);
+  const UniqueFd before(::open(path.c_str(), O_RDWR | O_NOCTTY));
+  read_until(before.get(), "D114.00\n");
+  write_text(before.get(), "M117\n");
+
+  read_until(before.get(), "never");  // Ends where the terminal does.
+  UniqueFd after;
+  for (int i = 0; !after.valid() && i < kPatienceMs; ++i) {
+    ::poll(nullptr, 0, 1);
+    after = UniqueFd(::open(path.c_str(), O_RDWR | O_NOCTTY));
+  }
+
+  REQUIRE(after.valid());
+  write_text(after.get(), "M117\n");
+  CHECK(read_until(after.get(), "ok\n") == "ok\n");
+}
+
 TEST_CASE("A path that is something else is left alone") {
   const Folder folder;
   std::filesystem::create_directory(folder.file("printer"));
@@ -127,6 +149,29 @@ TEST_CASE("A path that is something else is left alone") {
   REQUIRE_FALSE(server);
   CHECK(server.error().code == ErrorCode::kUnavailable);
   CHECK(std::filesystem::is_directory(folder.file("printer")));
+}
+
+TEST_CASE("The printer's clock may run faster than ours") {
+  const Folder folder;
+  const std::string path = folder.file("printer");
+  const Running running({.pty_path = path, .tcp_port = std::nullopt, .speed = 1000});
+  const UniqueFd fd(::open(path.c_str(), O_RDWR | O_NOCTTY));
+  read_until(fd.get(), "D114.00\n");
+
+  write_text(fd.get(), "G4 S600\n");  // Far beyond our patience.
+
+  CHECK(read_until(fd.get(), "ok\n").ends_with("ok\n"));
+}
+
+TEST_CASE("A clock that stands or flies is a mistake") {
+  const Folder folder;
+  for (const double speed : {0.0, -1.0, 1e9}) {
+    const auto server = PtyServer::open(
+        {.pty_path = folder.file("printer"), .tcp_port = std::nullopt, .speed = speed},
+        Printer({}));
+    REQUIRE_FALSE(server);
+    CHECK(server.error().code == ErrorCode::kInput);
+  }
 }
 
 TEST_CASE("A server with nothing to open is a mistake") {

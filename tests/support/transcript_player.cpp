@@ -78,6 +78,22 @@ Moment pause_between(const Exchange& exchange, const Exchange& next) {
   return written ? *next.said->at - *last->at : kQuiet;
 }
 
+/// "nozzle open", "bed cold"; anything else is nothing that can be done.
+void do_to(Printer& printer, const std::string& what) {
+  const std::pair<std::string_view, Heater Machine::*> heaters[] = {{"nozzle", &Machine::nozzle},
+                                                                    {"bed", &Machine::bed}};
+  const std::pair<std::string_view, HeaterDefect> defects[] = {
+      {"open", HeaterDefect::kSensorOpen},
+      {"short", HeaterDefect::kSensorShorted},
+      {"cold", HeaterDefect::kCold},
+      {"stuck", HeaterDefect::kStuck}};
+  for (const auto& [part, heater] : heaters) {
+    for (const auto& [word, defect] : defects) {
+      if (what == fmt::format("{} {}", part, word)) printer.break_heater(heater, defect);
+    }
+  }
+}
+
 class Player {
  public:
   Player(const PrinterOptions& options, const Tolerance& tolerance)
@@ -85,6 +101,9 @@ class Player {
 
   void play(const Exchange& exchange, Moment pause) {
     if (exchange.resets) ear_ = PrinterEar(options_);
+    if (exchange.said != nullptr && exchange.said->kind == Kind::kBench) {
+      do_to(ear_.printer(), exchange.said->text);
+    }
     const Moment began = ear_.printer().now();
     if (!exchange.bytes.empty()) ear_.printer().receive(exchange.bytes, began);
     heard_.clear();

@@ -24,7 +24,8 @@ struct Difference {
 /// before have come and as much later as is written, and compares what it hears line by line.
 ///
 /// Where no times are written, an answer is waited for 10 minutes, and what should not come 0.1 s.
-/// The bench's "reset", and times that go back, switch the printer off and on again. A banner that
+/// The bench's "reset", and times that go back, switch the printer off and on again; "nozzle open",
+/// "bed short", "cold" or "stuck" break a heater. A banner that
 /// is not written down is not compared.
 [[nodiscard]] std::vector<Difference> play_transcript(const std::vector<TranscriptLine>& lines,
                                                       const PrinterOptions& options,
