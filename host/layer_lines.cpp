@@ -4,11 +4,12 @@
 
 namespace slipstick {
 
-LayerLines::LayerLines(SlicingJob& job, const PrintSettings& settings, OnLayer on_layer)
+LayerLines::LayerLines(SlicingJob& job, const PrintSettings& settings, OnLayer on_layer,
+                       Beginning beginning)
     : job_(job),
       settings_(settings),
       on_layer_(std::move(on_layer)),
-      text_(write_start(settings).text) {}
+      text_(beginning == Beginning::kStart ? write_start(settings).text : "") {}
 
 Result<std::optional<Line>> LayerLines::next() {
   while (true) {

@@ -15,7 +15,11 @@ class LayerLines final : public LineSource {
   /// Called with each layer just before its first line is given out.
   using OnLayer = std::function<void(const SlicedLayer&)>;
 
-  LayerLines(SlicingJob& job, const PrintSettings& settings, OnLayer on_layer);
+  /// What comes first: the printer's start, or at once the job's first layer.
+  enum class Beginning { kStart, kLayer };
+
+  LayerLines(SlicingJob& job, const PrintSettings& settings, OnLayer on_layer,
+             Beginning beginning = Beginning::kStart);
 
   [[nodiscard]] Result<std::optional<Line>> next() override;
   [[nodiscard]] bool ready() const override;

@@ -39,7 +39,7 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   ChosenCommand run;
   add_slice_command(app, run);
-  add_print_command(app, run);
+  add_print_command(app, run, {argv + 1, argv + argc});
   add_sim_command(app, run);
   add_verify_command(app, run);
   add_info_command(app, run);

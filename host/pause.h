@@ -2,6 +2,8 @@
 
 #include <deque>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "core/job/settings.h"
 #include "drivers/marlin/park.h"
@@ -17,7 +19,10 @@ namespace slipstick {
 class Pause {
  public:
   /// Without a place to park, the nozzle stays where it is.
-  explicit Pause(const std::optional<ParkingPlace>& place) : place_(place) {}
+  /// \param state what was sent before the job; \param first what is sent before its first line.
+  Pause(const std::optional<ParkingPlace>& place, PrintStateTracker state,
+        const std::vector<Line>& first)
+      : place_(place), tracker_(std::move(state)), lines_(first.begin(), first.end()) {}
 
   /// What is wished now. \return whether the print begins to be held, or begins to go on.
   bool heed(PrintControl::Wish wish);

@@ -39,15 +39,15 @@ class Stream {
         pace_(options.pace),
         control_(control),
         output_(transport, clock),
-        pause_(options.parking),
-        began_(clock.now()) {}
+        pause_(options.parking, options.state, options.first),
+        began_(clock.now()),
+        sender_(options.sender) {}
 
   Result<StreamOutcome> run() {
     while (true) {
       heed_requests();
       feed();
       if (const auto ok = write(); !ok) return out_of_reach(ok.error());
-      take_events();
       const SenderState state = sender_.state();
       control_.tell(state, sender_.counters());
       if (state == SenderState::kDone) break;
@@ -167,6 +167,8 @@ class Stream {
 
   Result<void> write() {
     output_.push(sender_.take_output(clock_.now()));
+    // A journal says what numbers mean before the printer can have them.
+    take_events();
     return output_.write();
   }
 

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "drivers/clock.h"
 #include "drivers/marlin/park.h"
@@ -20,7 +21,10 @@ enum class Pace {
 
 struct StreamOptions {
   Pace pace = Pace::kRealTime;
-  std::optional<ParkingPlace> parking;  ///< Where the nozzle waits in a pause; else it stays.
+  std::optional<ParkingPlace> parking{};  ///< Where the nozzle waits in a pause; else it stays.
+  SenderOptions sender{};
+  PrintStateTracker state{};  ///< What lines of the job before those of the source have left.
+  std::vector<Line> first{};  ///< Sent before the source's, and not counted.
 };
 
 struct StreamOutcome {

@@ -253,17 +253,19 @@ void Executor::home(const GcodeCommand& command) {
   const bool all = !command.has('X') && !command.has('Y') && !command.has('Z');
   homed_to_ = machine_.planner.target();
   homed_to_.e = machine_.filament;
-  if (all || command.has('X')) homed_to_.x = 0;
-  if (all || command.has('Y')) homed_to_.y = 0;
-  if (all || command.has('Z')) homed_to_.z = 0;
+  homed_shift_ = machine_.shift;
+  if (all || command.has('X')) homed_to_.x = homed_shift_.x = 0;
+  if (all || command.has('Y')) homed_to_.y = homed_shift_.y = 0;
+  if (all || command.has('Z')) homed_to_.z = homed_shift_.z = 0;
   wait_ = kHomingTime;
   become_still(Stage::kHome);
 }
 
 void Executor::finish_homing(Moment now) {
   machine_.planner.set_position(homed_to_);
-  machine_.position = {homed_to_.x, homed_to_.y, homed_to_.z, machine_.position.e};
-  machine_.shift = {};
+  machine_.position = {homed_to_.x - homed_shift_.x, homed_to_.y - homed_shift_.y,
+                       homed_to_.z - homed_shift_.z, machine_.position.e};
+  machine_.shift = homed_shift_;
   machine_.homed = true;
   text_ += position_report(machine_, now);
 }

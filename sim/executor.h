@@ -108,7 +108,8 @@ class Executor {
   Heater* heater_ = nullptr;
   Residency residency_;
   bool heat_cancelled_ = false;
-  Axes homed_to_;  ///< Where homing will have brought the machine.
+  Axes homed_to_;     ///< Where homing will have brought the machine,
+  Axes homed_shift_;  ///< and what is then left of G92: that of the other axes.
 
   Moment report_period_{0};
   Moment busy_period_{2'000'000};

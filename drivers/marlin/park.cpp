@@ -11,6 +11,8 @@ namespace {
 constexpr double kExtrudable = 170;  // °C: Marlin moves no filament in a nozzle that is colder
 constexpr double kSecondsPerMinute = 60;
 constexpr int kDecimals = 5;
+constexpr double kPrime = 20;      // mm of filament: what has oozed and burnt meanwhile
+constexpr double kPrimeSpeed = 5;  // mm/s
 
 // "G0" and words: a letter and a number each.
 class LineBuilder {
@@ -49,13 +51,19 @@ double waiting_height(const PrintState& state, const ParkingPlace& place) {
   return std::max(z, std::min(highest, place.height_max));
 }
 
-void append_heating(std::vector<Line>& lines, const PrintState& state) {
+}  // namespace
+
+std::vector<Line> heating_lines(const PrintState& state) {
+  std::vector<Line> lines;
   const double nozzle = state.nozzle.value_or(0);
   const double bed = state.bed.value_or(0);
   if (nozzle > 0) lines.push_back(LineBuilder("M104").word('S', nozzle).line());
   if (bed > 0) lines.push_back(LineBuilder("M190").word('S', bed).line());
   if (nozzle > 0) lines.push_back(LineBuilder("M109").word('S', nozzle).line());
+  return lines;
 }
+
+namespace {
 
 // Last, because all moves before need modes of their own. Some firmware lets G90 and G91 speak for
 // the extruder too.
@@ -87,8 +95,7 @@ std::vector<Line> parking_lines(const PrintState& state, const ParkingPlace& pla
 }
 
 std::vector<Line> returning_lines(const PrintState& state, const ParkingPlace& place) {
-  std::vector<Line> lines;
-  append_heating(lines, state);
+  std::vector<Line> lines = heating_lines(state);
   if (!knows_place(state)) return lines;
   const auto& [x, y, z, e] = state.position;
   lines.push_back(plain("G90"));
@@ -98,6 +105,27 @@ std::vector<Line> returning_lines(const PrintState& state, const ParkingPlace& p
   if (retracts(state, place)) lines.push_back(filament(place.retraction, place));
   if (e) lines.push_back(LineBuilder("G92").word('E', *e).line());
   append_modes(lines, state);
+  return lines;
+}
+
+std::vector<Line> recovering_lines(const PrintState& state, const ParkingPlace& place) {
+  std::vector<Line> lines = heating_lines(state);
+  const double z = *state.position[2];
+  lines.push_back(plain("G90"));
+  lines.push_back(plain("M83"));
+  // Homing may lift the nozzle by itself, and counts from here.
+  lines.push_back(LineBuilder("G92").word('Z', std::min(z, state.top.value_or(z))).line());
+  lines.push_back(
+      LineBuilder("G0").word('Z', waiting_height(state, place)).at(place.lift_speed).line());
+  lines.push_back(plain("G28 X Y"));
+  lines.push_back(
+      LineBuilder("G0").word('X', place.x).word('Y', place.y).at(place.travel_speed).line());
+  if (retracts(state, place)) {
+    lines.push_back(LineBuilder("G1").word('E', kPrime).at(kPrimeSpeed).line());
+    lines.push_back(filament(-place.retraction, place));
+  }
+  const std::vector<Line> back = returning_lines(state, place);
+  lines.insert(lines.end(), back.begin(), back.end());
   return lines;
 }
 

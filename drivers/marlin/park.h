@@ -32,4 +32,13 @@ struct ParkingPlace {
 /// rate, fan and modes.
 [[nodiscard]] std::vector<Line> returning_lines(const PrintState& state, const ParkingPlace& place);
 
+/// Heats up as `state` wants it, and waits for it; nothing where it wants no heat.
+[[nodiscard]] std::vector<Line> heating_lines(const PrintState& state);
+
+/// The way back on a board that was reset: heats the nozzle where it is, lifts, homes X and Y,
+/// primes at the place to park and goes on to where `state` is. The height is taken to be that at
+/// which plastic was last laid. \pre knows_place(state) and !state.renamed.
+[[nodiscard]] std::vector<Line> recovering_lines(const PrintState& state,
+                                                 const ParkingPlace& place);
+
 }  // namespace slipstick

@@ -20,13 +20,6 @@ constexpr std::array kFollowedG{0, 1, 2, 3, 4, 20, 21, 28, 90, 91, 92};
 constexpr std::array kUnfollowedM{0,   1,   24,  25,  125, 206, 211, 218, 428,
                                   501, 502, 600, 603, 665, 666, 701, 702, 999};
 
-bool fits(const Position& report, const Position& place) {
-  for (std::size_t axis = 0; axis < place.size(); ++axis) {
-    if (place[axis] && std::abs(*report[axis] - *place[axis]) > kSame) return false;
-  }
-  return true;
-}
-
 /// Takes `X:1.50` off the front of `text`.
 std::optional<double> take_axis(std::string_view& text, char axis) {
   while (text.starts_with(' ')) text.remove_prefix(1);
@@ -104,6 +97,13 @@ std::optional<Position> parse_position(std::string_view text) {
     if (!position[axis]) return std::nullopt;
   }
   return text.starts_with(" Count ") ? std::optional(position) : std::nullopt;
+}
+
+bool fits(const Position& report, const Position& place) {
+  for (std::size_t axis = 0; axis < place.size(); ++axis) {
+    if (place[axis] && std::abs(*report[axis] - *place[axis]) > kSame) return false;
+  }
+  return true;
 }
 
 bool tells_apart(const Position& before, const Position& after) {

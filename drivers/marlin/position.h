@@ -11,12 +11,22 @@ class GcodeCommand;
 /// X, Y, Z and E in mm as the printer counts them; nothing where that is not known.
 using Position = std::array<std::optional<double>, 4>;
 
+/// What the numbers of moves count from: the origin, or the place before (G91, M83).
+struct MoveModes {
+  bool relative = false;
+  bool relative_extrusion = false;
+};
+
 /// Where lines of G-code leave the printer, as M114 would tell.
 ///
 /// Begins in absolute coordinates, as a board does. Whatever else moves the nozzle (homing,
 /// probing, parking, tool changes, inches, settings loaded) makes its place unknown.
 class PositionTracker {
  public:
+  PositionTracker() = default;
+  PositionTracker(const Position& position, MoveModes modes)
+      : position_(position), relative_(modes.relative), relative_e_(modes.relative_extrusion) {}
+
   /// The position after `text` too. \pre `text` holds no line end.
   const Position& follow(std::string_view text);
 
@@ -41,6 +51,9 @@ class PositionTracker {
 
 /// The report of M114, `X:0.00 Y:0.00 Z:0.00 E:0.00 Count …`; nothing unless all of it is there.
 [[nodiscard]] std::optional<Position> parse_position(std::string_view text);
+
+/// Whether a report agrees with `place`, as far as two decimals tell and that is known.
+[[nodiscard]] bool fits(const Position& report, const Position& place);
 
 /// What a report tells of a line.
 enum class Executed : unsigned char { kYes, kNo, kUnclear };

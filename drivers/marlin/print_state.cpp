@@ -35,6 +35,14 @@ bool knows_place(const PrintState& state) {
   return state.position[0] && state.position[1] && state.position[kZ];
 }
 
+PrintStateTracker::PrintStateTracker(const PrintState& state)
+    : place_(state.position, {state.relative, state.relative_extrusion}), state_(state) {}
+
+void PrintStateTracker::learn(const Position& report) {
+  place_.learn(report);
+  state_.position = place_.position();
+}
+
 void PrintStateTracker::follow(std::string_view text) {
   const auto command = parse_gcode(text);
   if (!command) return;

@@ -31,10 +31,18 @@ struct PrintState {
 /// Follows a print line by line.
 class PrintStateTracker {
  public:
+  PrintStateTracker() = default;
+  /// \param state of a print that printed with the first tool, in millimetres.
+  explicit PrintStateTracker(const PrintState& state);
+
   /// The print goes on with `text`. \pre `text` holds no line end.
   void follow(std::string_view text);
 
+  /// The printer reports where the last line left it.
+  void learn(const Position& report);
+
   [[nodiscard]] const PrintState& state() const { return state_; }
+  [[nodiscard]] const PositionTracker& place() const { return place_; }
 
  private:
   void follow_m(const GcodeCommand& command);

@@ -21,6 +21,11 @@ constexpr Moment kLastWordsInterval = std::chrono::milliseconds(250);
 Sender::Sender(SenderOptions options) : options_(options) {
   SLIPSTICK_CHECK(options.first_number >= 0);
   SLIPSTICK_CHECK(options.report_seconds >= 1 && options.report_seconds <= 60);
+  if (!options.kept) return;
+  greeting_ = false;
+  first_ = accepted_ = sure_ = options.kept->last;
+  cursor_ = first_ + 1;
+  lines_ = SentLines(cursor_, options.kept->place);
 }
 
 void Sender::receive(std::string_view bytes, Moment now) {
@@ -108,7 +113,7 @@ void Sender::step(Moment now) {
   if (!started_) {
     started_ = true;
     last_heard_ = now;
-    listen(now, options_.banner_wait);
+    if (greeting_) listen(now, options_.banner_wait);
   }
   if (listening_until_) {
     if (now >= *listening_until_) say_hello(now);
@@ -134,24 +139,36 @@ bool Sender::bind_next(Moment now) {
   if (greeting_ && bind_greeting(now)) return true;
   if (greeting_) return false;
   if (!stop_lines_.empty()) {
-    lines_.bind(stop_lines_.back().text(), LineOwner::kSender);
+    bind(stop_lines_.back().text(), LineOwner::kSender);
     stop_lines_.pop_back();
   } else if (!reports_ && now >= next_poll_) {
     next_poll_ = now + kPollInterval;
-    lines_.bind("M105", LineOwner::kSender);
+    bind("M105", LineOwner::kSender);
   } else if (queued_ && lines_.lost() && position_requests_ < kPositionRequests) {
     ++position_requests_;
-    lines_.bind("M114", LineOwner::kSender);
+    bind("M114", LineOwner::kSender);
   } else if (queued_) {
-    lines_.bind(queued_->text(), queued_for_);
+    bind(queued_->text(), queued_for_);
     queued_.reset();
     if (queued_for_ == LineOwner::kJob) ++counters_.lines_sent;
   } else if (ended_ && !closing_) {
-    closing_ = lines_.bind("M105", LineOwner::kSender);
+    closing_ = bind("M105", LineOwner::kSender);
   } else {
     return false;
   }
   return true;
+}
+
+LineNumber Sender::bind(std::string text, LineOwner owner) {
+  if (owner != LineOwner::kJob)
+    tell(LineBound{lines_.highest() + 1, owner == LineOwner::kHost ? text : std::string()});
+  return lines_.bind(std::move(text), owner);
+}
+
+void Sender::trust(LineNumber number) {
+  sure_ = number;
+  rewinds_ = 0;
+  if (lines_.has(number)) counters_.lines_sure = lines_.at(number).job_lines;
 }
 
 void Sender::transmit(Moment now) {

@@ -16,6 +16,12 @@
 
 namespace slipstick {
 
+/// A count of lines that another sender began, as a SessionProbe finds it.
+struct KeptSession {
+  LineNumber last = 0;    ///< The last line that the printer has taken.
+  PositionTracker place;  ///< After it.
+};
+
 struct SenderOptions {
   /// How long a board that resets when its port is opened may take to say `start`.
   Moment banner_wait = std::chrono::milliseconds(2500);
@@ -24,6 +30,8 @@ struct SenderOptions {
   /// The number of the M110. From 10,000 on, damage that makes a G, M or T of the N gives no
   /// command that any firmware has: N28 could become G28, N112 a kill.
   LineNumber first_number = 10'000;
+  /// Goes on with that count, without a greeting.
+  std::optional<KeptSession> kept;
 };
 
 /// Takes the lines of a job to a Marlin: each executed exactly once, in order, over a wire that
@@ -116,6 +124,8 @@ class Sender {
   void step(Moment now);
   void send_next(Moment now);
   [[nodiscard]] bool bind_next(Moment now);
+  LineNumber bind(std::string text, LineOwner owner);
+  void trust(LineNumber number);
   void transmit(Moment now);
   void say_last_words(Moment now);
   void tell(SenderEvent event);

@@ -67,13 +67,36 @@ struct SenderStopped {
   friend bool operator==(const SenderStopped&, const SenderStopped&) = default;
 };
 
-using SenderEvent = std::variant<FirmwareSeen, TemperaturesSeen, ResendSeen, ProbeSent, MessageSeen,
-                                 ActionSeen, SenderStopped>;
+/// The lines are counted from `first` on, the number of an M110. Told before it is sent.
+struct SessionBegun {
+  LineNumber first = 0;
+  friend bool operator==(const SessionBegun&, const SessionBegun&) = default;
+};
+
+/// `line` is no line of the job, but one of the sender's own (no text) or of its owner. Told before
+/// it is sent.
+struct LineBound {
+  LineNumber line = 0;
+  std::string text;
+  friend bool operator==(const LineBound&, const LineBound&) = default;
+};
+
+/// A question got number `line`; what had that and all behind it move up by one. Told before it is
+/// sent.
+struct QuestionInserted {
+  LineNumber line = 0;
+  friend bool operator==(const QuestionInserted&, const QuestionInserted&) = default;
+};
+
+using SenderEvent =
+    std::variant<FirmwareSeen, TemperaturesSeen, ResendSeen, ProbeSent, MessageSeen, ActionSeen,
+                 SenderStopped, SessionBegun, LineBound, QuestionInserted>;
 
 struct SenderCounters {
   std::uint64_t lines_sent = 0;  ///< Lines of the job that were sent, each counted once.
   std::uint64_t lines_acknowledged =
       0;                             ///< Lines of the job the printer is believed to have taken.
+  std::uint64_t lines_sure = 0;      ///< Lines of the job that it has surely taken.
   std::uint64_t resends = 0;         ///< Lines sent again, of any kind.
   std::uint64_t ghosts = 0;          ///< Lines executed without their number, not sent again.
   std::uint64_t probes = 0;          ///< Questions after a silence.

@@ -48,6 +48,7 @@ bool Sender::ask_about_doubt() {
                         doubt_->line, lines_.at(doubt_->line).text));
     return false;
   }
+  tell(QuestionInserted{doubt_->line});
   lines_.insert_question(doubt_->line, "M114");
   if (closing_ && *closing_ >= doubt_->line) ++*closing_;
   ++doubt_->line;

@@ -43,6 +43,7 @@ void Sender::say_hello(Moment now) {
   name_requests_ = 0;
   reports_asked_ = false;
   doubt_.reset();
+  tell(SessionBegun{first_});
   lines_.bind("M110 N" + std::to_string(first_), LineOwner::kSender);
   output_ += "\n";  // Ends whatever half a line stands in the printer's buffer.
   transmit(now);
@@ -63,14 +64,14 @@ bool Sender::bind_greeting(Moment now) {
   }
   if (firmware_.empty() && name_requests_ < kNameRequests) {
     ++name_requests_;
-    lines_.bind("M115", LineOwner::kSender);
+    bind("M115", LineOwner::kSender);
   } else if (reports_ && !reports_asked_) {
     reports_asked_ = true;
-    lines_.bind("M155 S" + std::to_string(options_.report_seconds), LineOwner::kSender);
+    bind("M155 S" + std::to_string(options_.report_seconds), LineOwner::kSender);
   } else if (sure_ < first_ + 1) {
     // Once the line after the M110 is surely taken, a request for it can only mean that the board
     // was reset.
-    lines_.bind("M105", LineOwner::kSender);
+    bind("M105", LineOwner::kSender);
   } else {
     greeting_ = false;
     next_poll_ = now;

@@ -45,10 +45,7 @@ void Sender::finish_drain(Moment now) {
   const LineNumber next = !error_fits     ? *seen.requested
                           : !request_fits ? *by_error
                                           : std::max(*seen.requested, *by_error);
-  if (seen.requested == by_error && next - 1 > sure_) {
-    sure_ = next - 1;
-    rewinds_ = 0;
-  }
+  if (seen.requested == by_error && next - 1 > sure_) trust(next - 1);
   odd_requests_ = 0;
   doubt(next, seen.mismatch && next == refused, silent && accepted_ < next);
   if (!over()) rewind(next);
@@ -110,7 +107,7 @@ void Sender::ask_for_truth(Moment now) {
 }
 
 void Sender::probe(Moment now) {
-  cursor_ = lines_.bind("M105", LineOwner::kSender);
+  cursor_ = bind("M105", LineOwner::kSender);
   transmit(now);
 }
 

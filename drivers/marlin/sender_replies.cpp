@@ -50,10 +50,7 @@ void Sender::acknowledge(LineNumber number, Moment now) {
     // Perhaps this ok answers what noise made of the line; the next line will tell.
     last_clean_ = -2;
   } else {
-    if (last_clean_ == number - 1 && number - 1 > sure_) {
-      sure_ = number - 1;
-      rewinds_ = 0;
-    }
+    if (last_clean_ == number - 1 && number - 1 > sure_) trust(number - 1);
     last_clean_ = number;
     odd_requests_ = 0;
   }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 
 #include "drivers/marlin/framing.h"
 #include "drivers/marlin/position.h"
@@ -28,7 +29,9 @@ class SentLines {
   };
 
   /// \param first the number that the first line gets, at least 0.
-  explicit SentLines(LineNumber first = 0) : first_(first), highest_(first - 1) {}
+  /// \param place where the lines before lead.
+  explicit SentLines(LineNumber first = 0, PositionTracker place = {})
+      : tracker_(std::move(place)), first_(first), highest_(first - 1) {}
 
   /// Gives `text` the next number, which is returned.
   LineNumber bind(std::string text, LineOwner owner);

@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "core/base/result.h"
 
@@ -15,7 +17,8 @@ using CommandResult = Result<int>;
 using ChosenCommand = std::function<CommandResult()>;
 
 void add_slice_command(CLI::App& app, ChosenCommand& run);
-void add_print_command(CLI::App& app, ChosenCommand& run);
+/// \param words the whole command line but the program's name, for the journal.
+void add_print_command(CLI::App& app, ChosenCommand& run, const std::vector<std::string>& words);
 void add_sim_command(CLI::App& app, ChosenCommand& run);
 void add_verify_command(CLI::App& app, ChosenCommand& run);
 void add_info_command(CLI::App& app, ChosenCommand& run);

@@ -1,4 +1,5 @@
 // `slipstick print MODEL_OR_GCODE --port PORT`: slices just in time and streams.
+// `slipstick print --resume JOURNAL`: takes up a print that was cut off.
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
@@ -9,6 +10,7 @@
 #include "host/commands/command.h"
 #include "host/file_lines.h"
 #include "host/interrupt.h"
+#include "host/journalled_print.h"
 #include "host/layer_lines.h"
 #include "host/options.h"
 #include "host/pause.h"
@@ -25,7 +27,24 @@ struct PrintCommand {
   ModelOptions model;
   SlicingOptions slicing;
   std::string port;
+  std::string journal;
+  std::string resume;
+  bool recover = false;
   bool json = false;
+  std::vector<std::string> words;
+
+  void add_to(CLI::App& sub) {
+    sub.add_option("model", model.path, "a model, or a .gcode file");
+    sub.add_option("--port", port,
+                   "/dev/ttyUSB0, usb:VID:PID[:SERIAL], pty:PATH, tcp:HOST:PORT or sim:");
+    sub.add_option("--journal", journal, "file to keep, from which the print can be taken up");
+    sub.add_option("--resume", resume, "journal of a print that was cut off: go on with it");
+    sub.add_flag("--recover", recover,
+                 "with --resume, where the printer was reset: heat, lift, home X and Y, go on");
+    sub.add_flag("--json", json, "print the report on standard output");
+    model.add_to(sub);
+    slicing.add_to(sub);
+  }
 };
 
 // How long a simulated machine may take to finish what it was sent.
@@ -61,13 +80,15 @@ nlohmann::ordered_json sim_report(const SimTransport& sim, PrintWatch& watch) {
 
 class PrintRun {
  public:
-  explicit PrintRun(const PrintCommand& command) : command_(command) {}
+  PrintRun(const PrintCommand& command, JournalledPrint& journal)
+      : command_(command), journal_(journal) {}
 
   CommandResult run() {
     auto request = command_.slicing.request(SliceGoal::kToolpaths);
     if (!request) return fail(request.error());
     request_ = std::move(*request);
     const std::filesystem::path path = command_.model.path;
+    if (const auto ok = journal_.identify(path, request_.settings); !ok) return fail(ok.error());
     watch_.emplace(request_.settings.printer.filament_diameter, request_.settings.slicing.sampling);
     const auto done = is_gcode(path) ? print_file(path) : print_model();
     if (!done) return fail(done.error());
@@ -80,6 +101,7 @@ class PrintRun {
     auto lines = FileLines::open(path);
     if (!lines) return fail(lines.error());
     report_["model"] = path.filename().string();
+    if (const auto ok = connect(); !ok) return ok;
     return stream(**lines);
   }
 
@@ -95,6 +117,10 @@ class PrintRun {
       return fail(fits.error().within(loaded->name));
     }
     const double load_seconds = Stopwatch(total_).lap();
+    if (journal_.resumes()) {
+      if (const auto ok = connect(); !ok) return ok;
+    }
+    if (const auto& layer = journal_.first_layer()) request_.first_layer = layer->layer;
     auto job = SlicingJob::start(*placed, request_);
     if (!job) return fail(job.error().within(loaded->name));
     if (const auto ok = stream_layers(**job); !ok) return ok;
@@ -108,28 +134,44 @@ class PrintRun {
   Result<void> stream_layers(SlicingJob& job) {
     Progress progress("printing", job.end_layer() - job.first_layer());
     bool extruded = false;
-    LayerLines lines(job, request_.settings, [&](const SlicedLayer& layer) {
+    const auto on_layer = [&](const SlicedLayer& layer) {
       watch_->expect(layer);
+      journal_.began(layer.index, layer.program->text);
       extruded |= !layer.toolpaths->beads.empty();
       if (extruded && first_extrusion_ == 0) first_extrusion_ = Stopwatch(total_).lap();
       progress.show(job.totals().layers, layer.top);
-    });
+    };
+    const auto beginning =
+        journal_.first_layer() ? LayerLines::Beginning::kLayer : LayerLines::Beginning::kStart;
+    LayerLines lines(job, request_.settings, on_layer, beginning);
+    if (!link_) {
+      if (const auto ok = connect(); !ok) return ok;
+    }
     if (const auto ok = stream(lines); !ok) return ok;
-    if (extruded) return {};
+    if (extruded || journal_.resumes()) return {};
     return fail(ErrorCode::kInput, "nothing was printed: no sample of any layer is inside");
   }
 
-  Result<void> stream(LineSource& lines) {
+  Result<void> connect() {
     auto link = open_printer(command_.port, request_.settings.printer.bed_size, watch_->sink());
     if (!link) return fail(link.error());
+    link_ = std::move(*link);
+    return journal_.find(*link_->transport, *link_->clock);
+  }
+
+  Result<void> stream(LineSource& source) {
+    StreamOptions options{.pace = link_->pace, .parking = parking_place(request_.settings)};
+    const auto lines = journal_.begin(source, options);
+    if (!lines) return fail(lines.error());
     Interrupt::pause_by_terminal();
-    const auto outcome = stream_job(*link->transport, *link->clock, lines,
-                                    {link->pace, parking_place(request_.settings)});
+    const PrintControl control(journal_.listeners(*link_->clock));
+    const auto outcome = stream_job(*link_->transport, *link_->clock, **lines, options, control);
+    journal_.ended(outcome);
     if (!outcome) return fail(outcome.error());
     outcome_ = *outcome;
-    if (link->sim == nullptr) return {};
-    link->sim->run_down(kRunDownMax);
-    sim_report_ = sim_report(*link->sim, *watch_);
+    if (link_->sim == nullptr) return {};
+    link_->sim->run_down(kRunDownMax);
+    sim_report_ = sim_report(*link_->sim, *watch_);
     return {};
   }
 
@@ -158,9 +200,11 @@ class PrintRun {
   }
 
   const PrintCommand& command_;
+  JournalledPrint& journal_;
   Stopwatch total_;
   SlicingRequest request_;
   std::optional<PrintWatch> watch_;
+  std::optional<PrinterLink> link_;
   StreamOutcome outcome_;
   double first_extrusion_ = 0;
   std::size_t violations_ = 0;
@@ -168,22 +212,78 @@ class PrintRun {
   nlohmann::ordered_json sim_report_;
 };
 
+// The command line that a journal tells.
+Result<std::shared_ptr<PrintCommand>> command_of(const JournalHeader& header) {
+  const auto command = std::make_shared<PrintCommand>();
+  CLI::App app("", "slipstick");
+  app.fallthrough();
+  std::string ignored;
+  app.add_option("--log-level", ignored);
+  command->add_to(*app.add_subcommand("print"));
+  try {
+    app.parse(std::vector<std::string>(header.words.rbegin(), header.words.rend()));
+  } catch (const CLI::ParseError& error) {
+    return fail(ErrorCode::kInput,
+                std::string("the journal's command line is not understood: ") + error.what());
+  }
+  return command;
+}
+
+CommandResult run_resumed(const PrintCommand& command) {
+  const std::filesystem::path path = std::filesystem::absolute(command.resume);
+  auto content = read_journal(path);
+  if (!content) return fail(content.error());
+  const auto original = command_of(content->header);
+  if (!original) return fail(original.error().within(path.string()));
+  if (!command.port.empty()) (*original)->port = command.port;
+  if (!command.slicing.report.empty())
+    (*original)->slicing.report = std::filesystem::absolute(command.slicing.report);
+  (*original)->json = command.json;
+  std::error_code error;
+  std::filesystem::current_path(content->header.folder, error);
+  if (error) {
+    return fail(ErrorCode::kInput, fmt::format("{}: the print began in {}: {}", path.string(),
+                                               content->header.folder, error.message()));
+  }
+  JournalledPrint journal(path, *std::move(content),
+                          command.recover ? Consent::kRecover : Consent::kNone);
+  return PrintRun(**original, journal).run();
+}
+
+CommandResult run_print(const PrintCommand& command) {
+  if (!command.resume.empty()) return run_resumed(command);
+  if (command.journal.empty()) {
+    JournalledPrint none;
+    return PrintRun(command, none).run();
+  }
+  const std::string folder = std::filesystem::current_path().string();
+  JournalledPrint journal(command.journal, JournalHeader{folder, command.words, 0, 0});
+  return PrintRun(command, journal).run();
+}
+
+void check_usage(const PrintCommand& command) {
+  if (command.resume.empty() && command.model.path.empty()) throw CLI::RequiredError("model");
+  if (command.resume.empty() && command.port.empty()) throw CLI::RequiredError("--port");
+  if (command.recover && command.resume.empty()) throw CLI::RequiredError("--resume");
+  if (!command.resume.empty() && !(command.model.path.empty() && command.journal.empty()))
+    throw CLI::ExcludesError("--resume", "a model and --journal, which the journal tells");
+}
+
 }  // namespace
 
-void add_print_command(CLI::App& app, ChosenCommand& run) {
+void add_print_command(CLI::App& app, ChosenCommand& run, const std::vector<std::string>& words) {
   const auto command = std::make_shared<PrintCommand>();
+  command->words = words;
   CLI::App* sub = app.add_subcommand("print", "slice a model just in time and print it");
-  sub->add_option("model", command->model.path, "a model, or a .gcode file")->required();
-  sub->add_option("--port", command->port,
-                  "/dev/ttyUSB0, usb:VID:PID[:SERIAL], pty:PATH, tcp:HOST:PORT or sim:")
-      ->required();
-  sub->add_flag("--json", command->json, "print the report on standard output");
-  command->model.add_to(*sub);
-  command->slicing.add_to(*sub);
+  command->add_to(*sub);
   sub->footer(
       "Example: slipstick print configs/solids/gyroid_sphere.lua --port sim:\n"
+      "         slipstick print --resume ball.journal\n"
       "Ctrl-Z pauses with the nozzle parked and hot, and goes on; Ctrl-C ends with heaters off.");
-  sub->callback([command, &run] { run = [command] { return PrintRun(*command).run(); }; });
+  sub->callback([command, &run] {
+    check_usage(*command);
+    run = [command] { return run_print(*command); };
+  });
 }
 
 }  // namespace slipstick

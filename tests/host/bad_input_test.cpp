@@ -157,6 +157,37 @@ TEST_CASE("A full disk leaves nothing half written") {
   CHECK(place.count() == 1);
 }
 
+TEST_CASE("A disk that fills up during a print costs the journal, not the print") {
+  const Workplace place;
+  std::string program;
+  for (int i = 0; i < 200; ++i) program += "G1 X" + std::to_string(i % 9) + "\n";
+  const std::string model = place.file("a.gcode", program);
+  const std::string journal = place.path("a.journal");
+
+  const auto finished = test::run({"sh", "-c",
+                                   "ulimit -f 1; trap '' XFSZ; " + std::string(SLIPSTICK_BINARY) +
+                                       " print " + model + " --port sim: --journal " + journal});
+
+  CHECK(finished.status == 0);
+  CHECK_THAT(finished.err, Contains("a.journal") && Contains("cannot be taken up"));
+  CHECK(place.count() == 1);
+}
+
+TEST_CASE("A journal that cannot be used is named, and the print of another is not forgotten") {
+  const Workplace place;
+  const std::string model = place.file("a.gcode", "G1 X1\n");
+  const std::string other = place.file("b.journal", "something else\n");
+
+  const auto print = [&](const std::string& journal) {
+    return refusal(test::slipstick({"print", model, "--port", "sim:", "--journal", journal}));
+  };
+  CHECK_THAT(print(other), Contains("b.journal: this is no journal"));
+  CHECK_THAT(print("/nowhere/a.journal"), Contains("/nowhere/a.journal"));
+  CHECK_THAT(refusal(test::slipstick({"print", "--resume", other})), Contains("b.journal"));
+  CHECK_THAT(refusal(test::slipstick({"print", "--resume", place.path("c.journal")})),
+             Contains("c.journal"));
+}
+
 TEST_CASE("Wrong settings name the key") {
   const Workplace place;
   const std::string model = place.file("a.lua", kBall);
@@ -172,6 +203,10 @@ TEST_CASE("Wrong settings name the key") {
 TEST_CASE("Wrong usage is status 2") {
   CHECK(test::slipstick({"slice"}).status == 2);
   CHECK(test::slipstick({"nonsense"}).status == 2);
+  CHECK(test::slipstick({"print", "a.lua"}).status == 2);
+  CHECK(test::slipstick({"print", "--port", "sim:"}).status == 2);
+  CHECK(test::slipstick({"print", "a.lua", "--port", "sim:", "--recover"}).status == 2);
+  CHECK(test::slipstick({"print", "a.lua", "--resume", "a.journal"}).status == 2);
   CHECK(test::slipstick({"slice", "a.lua", "-o", "a.gcode", "--fit", "1,2"}).status == 2);
 }
 

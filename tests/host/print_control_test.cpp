@@ -1,9 +1,9 @@
 // What is asked of a print under way, on the embedded printer in virtual time.
-#include <array>
 #include <catch2/catch.hpp>
 
 #include "host/stream_job.h"
 #include "sim/sim_transport.h"
+#include "tests/support/spiral.h"
 
 using namespace slipstick;
 using Catch::Contains;
@@ -71,39 +71,9 @@ constexpr ParkingPlace kParking{.x = 5,
                                 .travel_speed = 100,
                                 .lift_speed = 10};
 
-// A start and forty beads, which end at no place twice and are too long for the planner to stretch.
-std::vector<std::string> spiral(const std::string& extrusion) {
-  std::vector<std::string> lines{"M104 S200", "M109 S200", "G28",
-                                 extrusion,   "G92 E0",    "G1 X100 Y100 Z0.3 F6000"};
-  for (int i = 1; i <= 40; ++i) {
-    const int reach = i % 2 == 0 ? 10 + i : -10 - i;
-    const double e = extrusion == "M83" ? 0.1 : 0.1 * i;
-    lines.push_back("G1 X" + std::to_string(100 + reach) + " Y" + std::to_string(100 + i) + " E" +
-                    std::to_string(e) + (i % 7 == 0 ? " F3000" : ""));
-  }
-  return lines;
-}
-
-class ProgramLines final : public LineSource {
- public:
-  explicit ProgramLines(std::vector<std::string> lines) : lines_(std::move(lines)) {}
-  Result<std::optional<Line>> next() override {
-    if (given_ == lines_.size()) return std::optional<Line>();
-    return normalise(lines_[given_++]);
-  }
-  bool ready() const override { return true; }
-
- private:
-  std::vector<std::string> lines_;
-  std::size_t given_ = 0;
-};
-
-// From where to where, how much and how fast, in units that rounding does not reach.
-using BeadNumbers = std::array<long, 7>;
-
 // What a program lays when it is paused once `line` lines were sent; never if that is negative.
-std::vector<BeadNumbers> beads(const std::vector<std::string>& program, int line) {
-  std::vector<BeadNumbers> beads;
+std::vector<test::Bead> beads(const std::vector<std::string>& program, int line) {
+  std::vector<test::Bead> beads;
   PrintControl* handle = nullptr;
   int turns = 0;  // while it is held
   PrintControl control({{}, [&](SenderState, const SenderCounters& counters) {
@@ -113,13 +83,8 @@ std::vector<BeadNumbers> beads(const std::vector<std::string>& program, int line
                             handle->resume();
                         }});
   handle = &control;
-  SimTransport sim(*sim_options({}), [&](const ExecutedMove& move) {
-    const auto micro = [](double mm) { return std::lround(mm * 1000); };
-    if (move.filament() <= 0 || (move.from.x == move.to.x && move.from.y == move.to.y)) return;
-    beads.push_back({micro(move.from.x), micro(move.from.y), micro(move.to.x), micro(move.to.y),
-                     micro(move.to.z), micro(move.filament()), micro(move.speed)});
-  });
-  ProgramLines lines(program);
+  SimTransport sim(*sim_options({}), test::into(beads));
+  test::ProgramLines lines(program);
   REQUIRE(stream_job(sim, sim.clock(), lines, {Pace::kVirtual, kParking}, control));
   sim.run_down(std::chrono::hours(1));
   CHECK((line < 0 || turns >= 3));
@@ -200,7 +165,7 @@ TEST_CASE("A paused print sends nothing until it is resumed, and then everything
 
 TEST_CASE("A print paused at any line lays the very same beads") {
   const std::string extrusion = GENERATE("M82", "M83");
-  const std::vector<std::string> program = spiral(extrusion);
+  const std::vector<std::string> program = test::spiral(extrusion);
   const auto expected = beads(program, -1);
   REQUIRE(expected.size() == 40);
 
@@ -220,7 +185,7 @@ TEST_CASE("A print cancelled while it is parked ends with the heaters off") {
                         }});
   handle = &control;
   SimTransport sim(*sim_options({}));
-  ProgramLines lines(spiral("M83"));
+  test::ProgramLines lines(test::spiral("M83"));
 
   const auto outcome = stream_job(sim, sim.clock(), lines, {Pace::kVirtual, kParking}, control);
 

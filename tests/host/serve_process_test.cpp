@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <cstdlib>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -14,6 +13,7 @@
 #include "core/base/rng.h"
 #include "drivers/unique_fd.h"
 #include "tests/support/daemon_process.h"
+#include "tests/support/environment.h"
 #include "tests/support/http_client.h"
 #include "tests/support/obedient_printer.h"
 #include "tests/support/temporary_folder.h"
@@ -22,11 +22,6 @@ using namespace slipstick;
 using nlohmann::json;
 
 namespace {
-
-std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
-  const char* text = std::getenv(name);
-  return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
-}
 
 std::string name_of(std::uint64_t number) {
   return "part" + std::to_string(number) + ".gcode";
@@ -151,8 +146,8 @@ class Voyage {
 }  // namespace
 
 TEST_CASE("Killed at any moment, the daemon loses nothing it accepted and prints nothing twice") {
-  const std::uint64_t seed = from_environment("SLIPSTICK_SEED", 1);
-  const std::uint64_t kills = from_environment("SLIPSTICK_KILLS", 6);
+  const std::uint64_t seed = test::from_environment("SLIPSTICK_SEED", 1);
+  const std::uint64_t kills = test::from_environment("SLIPSTICK_KILLS", 6);
   INFO("SLIPSTICK_SEED=" << seed << " SLIPSTICK_KILLS=" << kills);
   Voyage voyage(seed);
 

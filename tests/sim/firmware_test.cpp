@@ -198,6 +198,17 @@ TEST_CASE("A long command is busy every two seconds") {
   CHECK(host.say("G4 S5", 6 * kSecond) == "echo:busy: processing\necho:busy: processing\nok\n");
 }
 
+TEST_CASE("Homing two axes leaves the third where it is, and renamed as it was") {
+  Dialogue host;
+  host.say("G92 Z30");
+  host.say("G1 X5 Y5 Z35 F6000", 10 * kSecond);
+
+  const std::string report = host.say("G28 X Y", 16 * kSecond);
+
+  CHECK_THAT(report, Catch::Contains("X:0.00 Y:0.00 Z:35.00"));
+  CHECK(host.printer().machine().planner.target().z == 5);
+}
+
 TEST_CASE("Homing takes its time, reports the position and makes the soft endstops act") {
   Dialogue host;
   std::string busy;

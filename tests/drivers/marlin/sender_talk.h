@@ -60,7 +60,7 @@ class Talk {
   }
 
   /// Numbers from 0, so that they can be read.
-  Sender sender{{.first_number = 0}};
+  Sender sender{{.first_number = 0, .kept = {}}};
   Moment now{};
 };
 

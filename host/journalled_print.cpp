@@ -1,0 +1,115 @@
+#include "host/journalled_print.h"
+
+#include <fmt/format.h>
+
+#include "core/job/settings_table_text.h"
+#include "host/atomic_file.h"
+#include "host/checksum.h"
+
+namespace slipstick {
+namespace {
+
+std::uint32_t settings_checksum(const PrintSettings& settings) {
+  std::string text;
+  for (const SettingGroup group : kSettingGroups) text += commented_toml(settings, group);
+  return checksum(text);
+}
+
+}  // namespace
+
+Result<void> JournalledPrint::identify(const std::filesystem::path& model,
+                                       const PrintSettings& settings) {
+  if (!header_ && !content_) return {};
+  const auto bytes = read_file(model);
+  if (!bytes) return fail(bytes.error());
+  const std::uint32_t model_sum = checksum(*bytes);
+  const std::uint32_t settings_sum = settings_checksum(settings);
+  if (header_) {
+    header_->model = model_sum;
+    header_->settings = settings_sum;
+    return {};
+  }
+  const auto other = [&](std::string_view what) {
+    return fail(ErrorCode::kInput,
+                fmt::format("{}: {} not what it was when the print began; put the old one back, or "
+                            "clear the bed and start again",
+                            path_.string(), what));
+  };
+  if (content_->header.model != model_sum) return other(model.string() + " is");
+  if (content_->header.settings != settings_sum) return other("the printer's settings are");
+  return {};
+}
+
+Result<void> JournalledPrint::find(Transport& transport, const Clock& clock) {
+  if (header_) {
+    auto journal = Journal::create(path_, *header_);
+    if (!journal) return fail(journal.error());
+    journal_.emplace(*std::move(journal));
+  }
+  if (!content_) return {};
+  const auto found = find_session(transport, clock, beyond(*content_));
+  if (!found) return fail(found.error());
+  auto point = resume_point(*content_, *found, consent_);
+  if (!point) return fail(point.error().within(path_.string()));
+  point_ = *std::move(point);
+  return {};
+}
+
+std::optional<LayerMark> JournalledPrint::first_layer() const {
+  return content_ ? point_.layer : std::nullopt;
+}
+
+Result<LineSource*> JournalledPrint::begin(LineSource& source, StreamOptions& options) {
+  if (!header_ && !content_) return &source;
+  if (point_.layer) {
+    lines_.emplace(source, point_.layer->line, PrintStateTracker(point_.layer->state));
+  } else {
+    lines_.emplace(source);
+  }
+  if (header_) {
+    // Motors that are switched off because nobody prints for two minutes lose their place.
+    options.first = {*Line::make("M84 S0")};
+    return &*lines_;
+  }
+  if (const auto ok = lines_->skip_to(point_.line); !ok)
+    return fail(ok.error().within(path_.string()));
+  if (!same_layer_) {
+    return fail(ErrorCode::kInput,
+                fmt::format("{}: layer {} would not be what it was; take the print up with the "
+                            "version of slipstick that began it",
+                            path_.string(), point_.layer->layer));
+  }
+  auto start = resume_start(point_, *content_, lines_->state(), *options.parking);
+  if (!start) return fail(start.error().within(path_.string()));
+  options.sender = std::move(start->sender);
+  options.first = std::move(start->lines);
+  options.state = lines_->state();
+  auto journal = Journal::go_on(path_, *content_, point_.line);
+  if (!journal) return fail(journal.error());
+  journal_.emplace(*std::move(journal));
+  return &*lines_;
+}
+
+void JournalledPrint::began(int layer, std::string_view program) {
+  const std::uint32_t sum = checksum(program);
+  const auto first = first_layer();
+  if (first && first->layer == layer) same_layer_ = sum == first->program;
+  if (journal_ && lines_) journal_->began({layer, lines_->line(), sum, lines_->state().state()});
+}
+
+PrintControl::Listeners JournalledPrint::listeners(const Clock& clock) {
+  if (!journal_) return {};
+  return {[this](const SenderEvent& event) { journal_->heard(event); },
+          [this, &clock](SenderState, const SenderCounters& counters) {
+            journal_->turn(counters, clock.now());
+          }};
+}
+
+void JournalledPrint::ended(const Result<StreamOutcome>& outcome) {
+  if (!journal_) return;
+  if (outcome) journal_->ended(JournalEnd::kFinished);
+  if (!outcome && outcome.error().code == ErrorCode::kCancelled)
+    journal_->ended(JournalEnd::kStopped);
+}
+
+}  // namespace slipstick
