@@ -52,6 +52,9 @@ class Sender {
   static constexpr int kMaxProbes = 5;
   /// A printer that says anything within this time is not given up, whatever it owes.
   static constexpr Moment kAliveWindow = std::chrono::seconds(60);
+  /// But not for longer than this without an answer, and without a word that it is busy or heating:
+  /// what still reports temperatures may have stopped listening.
+  static constexpr Moment kDeafMax = std::chrono::minutes(30);
   /// Requests to send again without a step forward.
   static constexpr int kMaxRewinds = 40;
   /// Requests for lines that cannot be meant, in a row: the number was damaged, or the board was
@@ -216,6 +219,7 @@ class Sender {
   Moment deadline_{};
   Moment patience_{};
   Moment last_heard_{};
+  Moment last_heeded_{};  ///< Something was acknowledged, or takes its time.
   std::optional<Drain> drain_;
   std::optional<Doubt> doubt_;
   int position_requests_ = 0;       ///< In a row, before two reports agree.

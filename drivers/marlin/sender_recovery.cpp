@@ -89,12 +89,16 @@ void Sender::on_silence(Moment now) {
     probe(now);
     deadline_ = now + patience_ * (1 << probes_);
     tell(ProbeSent{*outstanding_});
-  } else if (now - last_heard_ < kAliveWindow) {
-    deadline_ = now + kAliveWindow;
-  } else {
+  } else if (now - last_heard_ >= kAliveWindow) {
     give_up(SenderState::kLost, fmt::format("the printer has not answered since line {}; check the "
-                                            "cable and the power; its heaters may still be on",
+                                            "cable and the power",
                                             accepted_));
+  } else if (now - last_heeded_ >= kDeafMax) {
+    give_up(SenderState::kLost, fmt::format("the printer still talks, but has obeyed nothing since "
+                                            "line {}; switch it off",
+                                            accepted_));
+  } else {
+    deadline_ = now + kAliveWindow;
   }
 }
 

@@ -44,6 +44,7 @@ void Sender::on(const Ok& ok, Moment now) {
 void Sender::acknowledge(LineNumber number, Moment now) {
   if (number == first_ && odd_text_) return greet_again(now);
   accepted_ = number;
+  last_heeded_ = now;
   counters_.lines_acknowledged = lines_.at(number).job_lines;
   outstanding_.reset();
   if (odd_text_) {
@@ -122,6 +123,7 @@ void Sender::on(const Unknown& /*unknown*/, Moment /*now*/) {
 }
 
 void Sender::stay_patient(Moment now) {
+  last_heeded_ = now;
   if (outstanding_) deadline_ = std::max(deadline_, now + patience_);
 }
 

@@ -203,5 +203,41 @@ TEST_CASE("Refusals without end and silence without end are given up with a reas
   CHECK_THAT(talk.sender.reason(), Catch::Contains(refuses ? "refused line 3" : "not answered"));
 }
 
+// Its serial line is dead one way, or its firmware hangs in a loop that still reports.
+TEST_CASE("A printer that reports for ever but obeys nothing is given up") {
+  Talk talk;
+  talk.greet();
+  talk.job("G1 X1");
+  talk.expects(frame(3, "G1 X1"));
+  const Moment sent = talk.now;
+
+  while (talk.sender.state() != SenderState::kLost && talk.now - sent < 2h) {
+    talk.silence(2s);
+    talk.says(" T:205.00 /205.00 B:60.00 /60.00 @:0 B@:0");
+    static_cast<void>(talk.sender.take_output(talk.now));
+  }
+
+  CHECK(talk.sender.state() == SenderState::kLost);
+  CHECK_THAT(talk.sender.reason(), Catch::Contains("obeyed nothing since line 2"));
+  CHECK(talk.now - sent >= Sender::kDeafMax);
+  CHECK(talk.now - sent <= Sender::kDeafMax + Sender::kAliveWindow + 5s);
+}
+
+TEST_CASE("A printer that says that it is busy is waited for however long it takes") {
+  Talk talk;
+  talk.greet();
+  talk.job("M600");
+  talk.expects(frame(3, "M600"));
+  const Moment sent = talk.now;
+
+  while (talk.now - sent < 2h) {
+    talk.silence(2s);
+    talk.says("echo:busy: paused for user");
+    static_cast<void>(talk.sender.take_output(talk.now));
+  }
+
+  CHECK(talk.sender.state() != SenderState::kLost);
+}
+
 }  // namespace
 }  // namespace slipstick
