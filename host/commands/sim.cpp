@@ -12,6 +12,7 @@
 #include "host/gcode_judge_report.h"
 #include "host/interrupt.h"
 #include "host/options.h"
+#include "host/outputs/deposit_picture.h"
 #include "sim/faults/fault_names.h"
 #include "sim/pty_server.h"
 #include "sim/sim_transport.h"
@@ -29,6 +30,8 @@ struct SimCommand {
   ModelOptions against;
   SlicingOptions slicing;
   bool json = false;
+  std::string picture;
+  int picture_layer = -1;
 };
 
 std::map<std::string, std::string> options_of(const SimCommand& command) {
@@ -78,8 +81,20 @@ CommandResult run_judge(const SimCommand& command) {
   const auto placed =
       place_on_bed(*loaded->model, command.against.placement(), {bed.x / 2, bed.y / 2});
   if (!placed) return fail(placed.error().within(loaded->name));
-  const auto verdict = judge_gcode(command.gcode, *placed, request->settings);
+  DepositPicture picture(command.picture_layer < 0 ? std::nullopt
+                                                   : std::optional(command.picture_layer));
+  GcodeWatch watch;
+  if (!command.picture.empty()) {
+    watch.layers = [&picture](int layer, double top, const JudgedLayer& judged) {
+      picture.see(layer, top, judged);
+    };
+  }
+  const auto verdict = judge_gcode(command.gcode, *placed, request->settings, watch);
   if (!verdict) return fail(verdict.error());
+  if (!command.picture.empty()) {
+    if (const auto ok = picture.write_to(command.picture, verdict->print.defects); !ok)
+      return fail(ok.error());
+  }
   const auto report = gcode_judge_report(*verdict, request->settings);
   fmt::print("{}", command.json ? report.dump(2) + "\n" : gcode_judge_text(*verdict));
   if (!command.slicing.report.empty()) {
@@ -112,6 +127,13 @@ void add_sim_command(CLI::App& app, ChosenCommand& run) {
   gcode->needs(against)->excludes(pty)->excludes(tcp);
   against->needs(gcode);
   sub->add_flag("--json", command->json, "print the verdict as JSON");
+  auto* picture = sub->add_option(
+      "--picture", command->picture,
+      "draw what was laid over what was wanted, as .png or .svg: the first wrong layer");
+  picture->needs(gcode);
+  sub->add_option("--picture-layer", command->picture_layer, "draw this layer, from 0")
+      ->check(CLI::NonNegativeNumber)
+      ->needs(picture);
   command->against.add_to(*sub);
   command->slicing.add_to(*sub);
   sub->footer(
