@@ -7,10 +7,15 @@ namespace {
 
 // A signal handler can reach nothing else.
 volatile std::sig_atomic_t interrupts = 0;
+volatile std::sig_atomic_t paused = 0;
 
 void on_signal(int signal) {
   interrupts = interrupts + 1;
   if (interrupts >= 2) std::signal(signal, SIG_DFL);
+}
+
+void on_stop(int /*signal*/) {
+  paused = 1 - paused;
 }
 
 }  // namespace
@@ -18,7 +23,16 @@ void on_signal(int signal) {
 void Interrupt::install() {
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
+  if (std::signal(SIGHUP, on_signal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
   std::signal(SIGPIPE, SIG_IGN);
+}
+
+void Interrupt::pause_by_terminal() {
+  std::signal(SIGTSTP, on_stop);
+}
+
+bool Interrupt::pause() {
+  return paused != 0;
 }
 
 bool Interrupt::requested() {

@@ -112,7 +112,8 @@ void LayerSlicer::place(ContourSet& contours, double z) const {
 }
 
 Simplified LayerSlicer::simplify(const ContourSet& contours) const {
-  const SimplifyOptions options{settings_.slicing.tolerance, settings_.slicing.alpha};
+  const SimplifyOptions options{settings_.slicing.tolerance, settings_.slicing.alpha,
+                                settings_.slicing.candidates};
   switch (settings_.slicing.simplify) {
     case Simplification::kFewest:
       return simplify_fewest(contours, options);

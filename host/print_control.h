@@ -27,7 +27,8 @@ class PrintControl {
   PrintControl(const PrintControl&) = delete;
   PrintControl& operator=(const PrintControl&) = delete;
 
-  /// No further line is sent until `resume`; those the printer has are finished.
+  /// No further line is sent until `resume`; those the printer has are finished, and the nozzle is
+  /// parked.
   /// \return whether that changed anything.
   bool pause() { return change(Wish::kRun, Wish::kPause); }
   bool resume() { return change(Wish::kPause, Wish::kRun); }

@@ -11,6 +11,7 @@
 #include "host/interrupt.h"
 #include "host/last_words.h"
 #include "host/output_queue.h"
+#include "host/pause.h"
 
 namespace slipstick {
 namespace {
@@ -30,14 +31,15 @@ constexpr const char* kMaybeHot = "; the printer's heaters may still be on";
 
 class Stream {
  public:
-  Stream(Transport& transport, const Clock& clock, LineSource& source, Pace pace,
+  Stream(Transport& transport, const Clock& clock, LineSource& source, const StreamOptions& options,
          const PrintControl& control)
       : transport_(transport),
         clock_(clock),
         source_(source),
-        pace_(pace),
+        pace_(options.pace),
         control_(control),
         output_(transport, clock),
+        pause_(options.parking),
         began_(clock.now()) {}
 
   Result<StreamOutcome> run() {
@@ -61,13 +63,22 @@ class Stream {
 
  private:
   void heed_requests() {
-    const PrintControl::Wish wish = control_.wish();
+    const PrintControl::Wish wish = wished();
     if (wish == PrintControl::Wish::kEmergencyStop || Interrupt::urgent()) {
       kill();
     } else if (wish == PrintControl::Wish::kCancel) {
       give_up({ErrorCode::kCancelled, "cancelled"});
     }
     if (Interrupt::requested()) give_up({ErrorCode::kCancelled, "interrupted"});
+    if (!ended_ && pause_.heed(wish)) {
+      spdlog::warn("{}", pause_.wanted() ? "pausing" : "going on");
+    }
+  }
+
+  [[nodiscard]] PrintControl::Wish wished() const {
+    const PrintControl::Wish wish = control_.wish();
+    const bool held = wish == PrintControl::Wish::kRun && Interrupt::pause();
+    return held ? PrintControl::Wish::kPause : wish;
   }
 
   // Before everything that waits: what has not left this machine is forgotten.
@@ -82,23 +93,32 @@ class Stream {
 
   void feed() {
     hungry_ = false;
-    if (control_.wish() == PrintControl::Wish::kPause && !ended_) {
-      if (pace_ == Pace::kVirtual) std::this_thread::sleep_for(kPausedNap);
-      return;
-    }
     while (!ended_ && sender_.wants_line()) {
+      if (const auto line = pause_.next()) {
+        sender_.push(*line, LineOwner::kHost);
+        continue;
+      }
+      if (pause_.holds()) {
+        if (pace_ == Pace::kVirtual) std::this_thread::sleep_for(kPausedNap);
+        return;
+      }
       if (pace_ == Pace::kRealTime && !source_.ready()) {
         hungry_ = true;
         return;
       }
-      auto line = source_.next();
-      if (!line) return give_up(line.error());
-      if (*line) {
-        sender_.push(**line);
-      } else {
-        ended_ = true;
-        sender_.end_of_job();
-      }
+      feed_job();
+    }
+  }
+
+  void feed_job() {
+    auto line = source_.next();
+    if (!line) return give_up(line.error());
+    if (*line) {
+      pause_.follow(**line);
+      sender_.push(std::move(**line));
+    } else {
+      ended_ = true;
+      sender_.end_of_job();
     }
   }
 
@@ -190,6 +210,7 @@ class Stream {
   const Pace pace_;
   const PrintControl& control_;
   OutputQueue output_;
+  Pause pause_;
   const Moment began_;
   Sender sender_;
   StreamOutcome outcome_;
@@ -204,14 +225,14 @@ class Stream {
 }  // namespace
 
 Result<StreamOutcome> stream_job(Transport& transport, const Clock& clock, LineSource& source,
-                                 Pace pace) {
-  return stream_job(transport, clock, source, pace, PrintControl());
+                                 const StreamOptions& options) {
+  return stream_job(transport, clock, source, options, PrintControl());
 }
 
 Result<StreamOutcome> stream_job(Transport& transport, const Clock& clock, LineSource& source,
-                                 Pace pace, const PrintControl& control) {
+                                 const StreamOptions& options, const PrintControl& control) {
   const LastWords last_words(transport.descriptor());
-  return Stream(transport, clock, source, pace, control).run();
+  return Stream(transport, clock, source, options, control).run();
 }
 
 }  // namespace slipstick

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "drivers/clock.h"
+#include "drivers/marlin/park.h"
 #include "drivers/marlin/sender.h"
 #include "drivers/transport.h"
 #include "host/line_source.h"
@@ -14,6 +16,11 @@ namespace slipstick {
 enum class Pace {
   kRealTime,  ///< Keep serving the printer; the time counts as starved.
   kVirtual,   ///< Let time stand still: nothing happens while the host thinks.
+};
+
+struct StreamOptions {
+  Pace pace = Pace::kRealTime;
+  std::optional<ParkingPlace> parking;  ///< Where the nozzle waits in a pause; else it stays.
 };
 
 struct StreamOutcome {
@@ -31,13 +38,13 @@ struct StreamOutcome {
 /// or
 ///   `transport` failed with.
 [[nodiscard]] Result<StreamOutcome> stream_job(Transport& transport, const Clock& clock,
-                                               LineSource& source, Pace pace);
+                                               LineSource& source, const StreamOptions& options);
 
 /// The same, and does what `control` is asked for within 20 ms, in virtual time a quarter of a
-/// second. An emergency stop goes out before all that has not left this machine; where the printer
-/// does not confirm it, DTR resets the board.
+/// second; it pauses also while the terminal asks for it. An emergency stop goes out before all
+/// that has not left this machine; where the printer does not confirm it, DTR resets the board.
 [[nodiscard]] Result<StreamOutcome> stream_job(Transport& transport, const Clock& clock,
-                                               LineSource& source, Pace pace,
+                                               LineSource& source, const StreamOptions& options,
                                                const PrintControl& control);
 
 }  // namespace slipstick

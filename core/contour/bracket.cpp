@@ -32,8 +32,9 @@ double Bracket::chord() const {
 // Where the quadratic in f through three places is zero; not finite where two values are equal.
 double Bracket::quadratic() const {
   const double a = f_inside_, b = f_outside_, c = f_before_;
-  return inside_ * (b / (a - b)) * (c / (a - c)) + outside_ * (a / (b - a)) * (c / (b - c)) +
-         before_ * (a / (c - a)) * (b / (c - b));
+  const double ab = a - b, ac = a - c, bc = b - c;
+  return inside_ +
+         a * ((before_ - inside_) * (b * ab) - (outside_ - inside_) * (c * ac)) / (ab * ac * bc);
 }
 
 }  // namespace slipstick

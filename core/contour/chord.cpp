@@ -13,6 +13,22 @@ Vec2 difference(GridPoint a, GridPoint b) {
           static_cast<double>(a.y) - static_cast<double>(b.y)};
 }
 
+// The same for a run that turns back on its way, or reaches beyond an end of its edge.
+double deviation_of_turning(const LoopView& loop, Run run) {
+  const GridPoint a = loop.vertex(run.first);
+  const Vec2 edge = difference(loop.vertex(run.last), a);
+  const double square = dot(edge, edge);
+  double foot = 0;
+  double worst = 0;
+  for (std::size_t i = run.first + 1; i < run.last; ++i) {
+    const Vec2 v = difference(loop.vertex(i), a);
+    if (square > 0) foot = std::clamp(dot(v, edge) / square, foot, 1.0);
+    const Vec2 away = v - foot * edge;
+    worst = std::max(worst, dot(away, away));
+  }
+  return std::sqrt(worst);
+}
+
 }  // namespace
 
 bool stabs(const LoopView& loop, Run run) {
@@ -30,15 +46,17 @@ double deviation(const LoopView& loop, Run run) {
   const GridPoint a = loop.vertex(run.first);
   const Vec2 edge = difference(loop.vertex(run.last), a);
   const double square = dot(edge, edge);
-  double foot = 0;
-  double worst = 0;
+  if (!(square > 0)) return deviation_of_turning(loop, run);  // once round
+  double farthest = 0;  // squared distance from the edge's line, times `square`
+  double foot = 0;      // of the vertex before, times `square`
   for (std::size_t i = run.first + 1; i < run.last; ++i) {
     const Vec2 v = difference(loop.vertex(i), a);
-    if (square > 0) foot = std::clamp(dot(v, edge) / square, foot, 1.0);
-    const Vec2 away = v - foot * edge;
-    worst = std::max(worst, dot(away, away));
+    const double next = dot(v, edge), away = cross(v, edge);
+    if (next < foot || next > square) return deviation_of_turning(loop, run);
+    foot = next;
+    farthest = std::max(farthest, away * away);
   }
-  return std::sqrt(worst);
+  return std::sqrt(farthest / square);
 }
 
 }  // namespace slipstick

@@ -12,8 +12,8 @@
 namespace slipstick {
 
 /// Which samples of an ambiguous square (paper, fig. 7 d) hang together. One rule for a whole
-/// print: the three-dimensional argument needs it (ALGORITHMS: Ball Union joins the inside
-/// samples).
+/// print: the three-dimensional argument needs it (a union of balls about the inside samples joins
+/// them).
 enum class Ambiguity : std::uint8_t { kSolid, kVoid };
 
 /// All closed contours of one layer before simplification: loops of sticks, a place on each.

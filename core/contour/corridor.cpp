@@ -6,12 +6,24 @@
 namespace slipstick {
 namespace {
 
-// 1 / |normal · stick| for the edge between two vertices.
-double slant(GridPoint before, GridPoint after, Outward outward) {
-  const double x = static_cast<double>(after.x) - before.x;
-  const double y = static_cast<double>(after.y) - before.y;
-  const double across = std::abs(step(outward).x != 0 ? y : x);
-  const double length = std::sqrt(x * x + y * y);
+// One of the two edges at a vertex: how far it goes across the vertex's stick, and its length,
+// squared.
+struct Slanted {
+  double across;
+  double square;
+};
+
+Slanted slanted(GridPoint a, GridPoint b, Outward outward) {
+  const double x = static_cast<double>(b.x) - a.x;
+  const double y = static_cast<double>(b.y) - a.y;
+  return {std::abs(step(outward).x != 0 ? y : x), x * x + y * y};
+}
+
+// 1 / |normal · stick| for the steeper of two edges.
+double least_slant(Slanted a, Slanted b) {
+  const bool first = a.across * a.across * b.square >= b.across * b.across * a.square;
+  const auto [across, square] = first ? a : b;
+  const double length = std::sqrt(square);
   return across * Corridor::kSlantMax <= length ? Corridor::kSlantMax : length / across;
 }
 
@@ -23,18 +35,17 @@ void Corridor::build(const LoopView& loop, double tolerance) {
   sticks_.resize(n);
   places_.resize(n);
   points_.resize(n);
+  GridPoint before = loop.vertex(n - 1), own = loop.vertex(0);
   for (std::size_t i = 0; i < n; ++i) {
+    const GridPoint after = loop.vertex(i + 1);
     sticks_[i] = loop.stick(i);
     places_[i][kOwnPlace] = loop.place(i);
-    points_[i][kOwnPlace] = loop.vertex(i);
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    const GridPoint before = points_[i > 0 ? i - 1 : n - 1][kOwnPlace];
-    const GridPoint after = points_[i + 1 < n ? i + 1 : 0][kOwnPlace];
-    const GridPoint own = points_[i][kOwnPlace];
+    points_[i][kOwnPlace] = own;
     // At a corner the steeper of the two edges counts.
-    set(i, tolerance * std::min(slant(before, own, sticks_[i].outward),
-                                slant(own, after, sticks_[i].outward)));
+    const Outward outward = sticks_[i].outward;
+    set(i, tolerance * least_slant(slanted(before, own, outward), slanted(own, after, outward)));
+    before = own;
+    own = after;
   }
 }
 

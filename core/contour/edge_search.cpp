@@ -12,6 +12,13 @@ Ray<Number> between(Ray<double> from, Ray<double> to) {
   return {static_cast<Number>(to.x - from.x), static_cast<Number>(to.y - from.y)};
 }
 
+constexpr std::size_t first_of(Candidates used) {
+  return used == Candidates::kOne ? Corridor::kOwnPlace : 0;
+}
+constexpr std::size_t end_of(Candidates used) {
+  return used == Candidates::kOne ? Corridor::kOwnPlace + 1 : Corridor::kCandidates;
+}
+
 }  // namespace
 
 void EdgeSearch::run(const Corridor& corridor, std::size_t start) {
@@ -49,34 +56,38 @@ void EdgeSearch::look_from_all() {
   const std::size_t last = farthest / kCandidates;
   const std::size_t first = last < kOriginSticks ? 0 : (last - kOriginSticks + 1) * kCandidates;
   for (const std::uint32_t state : reached_) {
-    if (state >= first) look_from(state);
+    if (state < first) continue;
+    candidates_ == Candidates::kOne ? look_from<Candidates::kOne>(state)
+                                    : look_from<Candidates::kThree>(state);
   }
 }
 
+template <Candidates kUsed>
 void EdgeSearch::look_from(std::uint32_t state) {
   const std::size_t k = state / kCandidates, c = state % kCandidates;
   const Origin origin{k, c, points_[k][c], best_[state]};
   const Points& next = points_[k + 1];
   Wedge<double> wedge(between<double>(origin.point, next.front()),
                       between<double>(origin.point, next.back()));
-  for (std::size_t d = 0; d < kCandidates; ++d) {
+  for (std::size_t d = first_of(kUsed); d < end_of(kUsed); ++d) {
     if (improves(origin.best, best_[(k + 1) * kCandidates + d])) reach(origin, k + 1, d);
   }
   const std::size_t near = std::min(n_, k + Wedge<double>::kSpanMax);
-  if (!look(origin, wedge, k + 2, near)) return;
+  if (!look<kUsed>(origin, wedge, k + 2, near)) return;
   Wedge<std::int64_t> exact(wedge);
-  static_cast<void>(look(origin, exact, near + 1, std::min(n_, k + Wedge<std::int64_t>::kSpanMax)));
+  static_cast<void>(
+      look<kUsed>(origin, exact, near + 1, std::min(n_, k + Wedge<std::int64_t>::kSpanMax)));
 }
 
 // Reaches what is seen of sticks `first` to `end`. \return false if nothing is seen behind them.
-template <typename Number>
+template <Candidates kUsed, typename Number>
 bool EdgeSearch::look(const Origin& origin, Wedge<Number>& wedge, std::size_t first,
                       std::size_t end) {
   for (std::size_t j = first; j <= end; ++j) {
     const auto inner = between<Number>(origin.point, points_[j].front());
     const auto outer = between<Number>(origin.point, points_[j].back());
     if (!wedge.meets(inner, outer)) return false;
-    for (std::size_t d = 0; d < kCandidates; ++d) {
+    for (std::size_t d = first_of(kUsed); d < end_of(kUsed); ++d) {
       if (!improves(origin.best, best_[j * kCandidates + d])) continue;
       if (wedge.sees(between<Number>(origin.point, points_[j][d]))) reach(origin, j, d);
     }

@@ -9,6 +9,7 @@
 #include "core/contour/corridor.h"
 #include "core/contour/frechet.h"
 #include "core/contour/prefix_moments.h"
+#include "core/contour/simplify.h"
 #include "core/contour/wedge.h"
 
 namespace slipstick {
@@ -24,6 +25,8 @@ namespace slipstick {
 class EdgeSearch {
  public:
   static constexpr std::size_t kOriginSticks = 5;
+
+  explicit EdgeSearch(Candidates candidates) : candidates_(candidates) {}
 
   /// The cheapest way once round from the own place of stick `start` and back to it.
   void run(const Corridor& corridor, std::size_t start);
@@ -53,14 +56,16 @@ class EdgeSearch {
 
   void prepare(const Corridor& corridor, std::size_t start);
   void look_from_all();
+  template <Candidates kUsed>
   void look_from(std::uint32_t state);
-  template <typename Number>
+  template <Candidates kUsed, typename Number>
   [[nodiscard]] bool look(const Origin& origin, Wedge<Number>& wedge, std::size_t first,
                           std::size_t end);
   [[nodiscard]] static bool improves(const Best& origin, const Best& to);
   void reach(const Origin& origin, std::size_t stick, std::size_t candidate);
   void collect(const Corridor& corridor);
 
+  Candidates candidates_;
   std::size_t start_ = 0;
   std::size_t n_ = 0;
   PrefixMoments moments_;

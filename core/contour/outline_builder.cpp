@@ -5,7 +5,7 @@
 namespace slipstick {
 
 void OutlineBuilder::add(const ContourSet::Loop& loop, std::span<const std::size_t> kept) {
-  // A strict stick test leaves no loop with fewer edges (ALGORITHMS B3, L4).
+  // A strict stick test leaves no loop with fewer edges: two edges would lie in disjoint cells.
   SLIPSTICK_CHECK(kept.size() >= 3);
   const LoopView view(contours_, loop);
   Outline::Loop result{{}, loop.depth};

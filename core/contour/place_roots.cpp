@@ -19,6 +19,12 @@ constexpr std::size_t kSmallBatch = 8;
 constexpr std::size_t kGuessesMax = 4;
 constexpr auto kUnits = static_cast<std::int32_t>(SliceGrid::kUnitsPerCell);
 
+// A stick in mm: exact, as all coordinates of the lattice are.
+struct Rail {
+  Vec2 inside;  // the node
+  Vec2 unit;    // one 65536th of the way
+};
+
 class Roots {
  public:
   explicit Roots(ContourSet& contours) : contours_(contours) {}
@@ -71,40 +77,47 @@ class Roots {
 
   bool by_values(Section& section, std::span<const Stick> sticks, std::span<Place> places) {
     const std::size_t count = sticks.size();
+    rails_.clear();
+    for (const Stick& stick : sticks) rails_.push_back(rail_of(stick));
     xs_.resize(count);
     ys_.resize(count);
     values_.resize(2 * count);
     const std::span<double> inside = std::span(values_).first(count);
     const std::span<double> outside = std::span(values_).last(count);
-    for (std::size_t i = 0; i < count; ++i) put(i, sticks[i], 0);
+    for (std::size_t i = 0; i < count; ++i) put(i, rails_[i], 0);
     if (!section.evaluate(xs_, ys_, inside)) return false;
-    for (std::size_t i = 0; i < count; ++i) put(i, sticks[i], kUnits);
+    for (std::size_t i = 0; i < count; ++i) put(i, rails_[i], kUnits);
     section.evaluate(xs_, ys_, outside);
+    brackets_.clear();
     open_.clear();
-    for (std::size_t i = 0; i < count; ++i) open_.push_back({i, Bracket(inside[i], outside[i])});
-    while (!open_.empty()) narrow(section, sticks, places);
+    for (std::size_t i = 0; i < count; ++i) {
+      brackets_.emplace_back(inside[i], outside[i]);
+      open_.push_back(i);
+    }
+    while (!open_.empty()) narrow(section, places);
     return true;
   }
 
   // One more value for every bracket that is open.
-  void narrow(Section& section, std::span<const Stick> sticks, std::span<Place> places) {
+  void narrow(Section& section, std::span<Place> places) {
     const std::size_t count = open_.size();
     for (std::size_t i = 0; i < count; ++i) {
-      put(i, sticks[open_[i].stick], open_[i].bracket.next());
+      put(i, rails_[open_[i]], brackets_[open_[i]].next());
     }
     section.evaluate(std::span(xs_).first(count), std::span(ys_).first(count),
                      std::span(values_).first(count));
     std::size_t left = 0;
     for (std::size_t i = 0; i < count; ++i) {
-      Open& open = open_[i];
-      open.bracket.take(values_[i]);
-      if (open.bracket.closed()) {
-        places[open.stick] = Place::clamped(open.bracket.inside());
+      const std::size_t stick = open_[i];
+      Bracket& bracket = brackets_[stick];
+      bracket.take(values_[i]);
+      if (bracket.closed()) {
+        places[stick] = Place::clamped(bracket.inside());
       } else {
-        open_[left++] = open;
+        open_[left++] = stick;
       }
     }
-    open_.erase(open_.begin() + static_cast<std::ptrdiff_t>(left), open_.end());
+    open_.resize(left);
   }
 
   void by_membership(Section& outer, std::span<const Stick> sticks, std::span<Place> places) {
@@ -149,24 +162,26 @@ class Roots {
     return inside != 0;
   }
 
-  void put(std::size_t i, Stick stick, std::int32_t k) {
-    const Vec2 p = mm(along(stick, k));
-    xs_[i] = p.x;
-    ys_[i] = p.y;
+  void put(std::size_t i, const Rail& rail, std::int32_t k) {
+    xs_[i] = rail.inside.x + rail.unit.x * k;
+    ys_[i] = rail.inside.y + rail.unit.y * k;
+  }
+
+  Rail rail_of(Stick stick) const {
+    const Step e = step(stick.outward);
+    const double unit = contours_.grid().unit();
+    return {mm(inside_node(stick)), {unit * e.x, unit * e.y}};
   }
 
   Vec2 mm(GridPoint p) const { return {contours_.grid().x_of(p.x), contours_.grid().y_of(p.y)}; }
 
-  struct Open {
-    std::size_t stick = 0;
-    Bracket bracket;
-  };
-
   ContourSet& contours_;
+  std::vector<Rail> rails_;  // of the batch
   std::vector<double> xs_;
   std::vector<double> ys_;
   std::vector<double> values_;
-  std::vector<Open> open_;
+  std::vector<Bracket> brackets_;  // of the batch
+  std::vector<std::size_t> open_;  // those that are not closed
   std::vector<double> shares_;
 };
 

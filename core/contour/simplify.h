@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "core/contour/contour_set.h"
 #include "core/contour/outline.h"
@@ -12,10 +13,15 @@ namespace slipstick {
 /// edge only replaces a run of vertices if it crosses every stick between them, so every `Outline`
 /// separates the same samples as the image and is free of self-intersection (propositions 3 to 5).
 
+/// Where on its stick `simplify_fewest` may put a vertex: at both ends of its window and at the
+/// contour's own place, or at that alone.
+enum class Candidates : std::uint8_t { kThree, kOne };
+
 struct SimplifyOptions {
   double tolerance =
       0.025;       ///< mm: Fréchet distance between an edge and the run it replaces, at most.
   int alpha = 10;  ///< The paper's clustering ratio, for `simplify_vsa`. At least 1.
+  Candidates candidates = Candidates::kThree;
 };
 
 struct Simplified {
@@ -25,7 +31,7 @@ struct Simplified {
   double max_regional_distortion = 0;  ///< mm³, the paper's D' (equation 5).
 };
 
-/// The fewest edges that windows of `tolerance` about the places allow, vertices at one of three
+/// The fewest edges that windows of `tolerance` about the places allow, vertices at one of the
 /// candidates on their sticks; among the fewest the least distortion. Near-optimal: `EdgeSearch`
 /// says what its search leaves out. Where the Fréchet distance found is beyond the tolerance,
 /// windows are narrowed there and the loop is searched again.

@@ -16,8 +16,10 @@ constexpr int kRoundsMax = 3;
 
 class FewestEdges {
  public:
-  FewestEdges(const ContourSet& contours, double tolerance)
-      : contours_(contours), tolerance_(tolerance) {}
+  FewestEdges(const ContourSet& contours, const SimplifyOptions& options)
+      : contours_(contours),
+        tolerance_(options.tolerance / contours.grid().unit()),
+        search_(options.candidates) {}
 
   Simplified run() {
     OutlineBuilder builder(contours_);
@@ -72,7 +74,7 @@ class FewestEdges {
 }  // namespace
 
 Simplified simplify_fewest(const ContourSet& contours, const SimplifyOptions& options) {
-  return FewestEdges(contours, options.tolerance / contours.grid().unit()).run();
+  return FewestEdges(contours, options).run();
 }
 
 }  // namespace slipstick

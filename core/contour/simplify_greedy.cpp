@@ -1,6 +1,8 @@
-#include <algorithm>
 #include <numeric>
+#include <vector>
 
+#include "core/contour/corridor.h"
+#include "core/contour/farthest_seen.h"
 #include "core/contour/outline_builder.h"
 #include "core/contour/simplify.h"
 
@@ -27,23 +29,40 @@ std::size_t reach(const LoopView& loop, std::size_t from, std::size_t limit, dou
   return good;
 }
 
-std::vector<std::size_t> kept_vertices(const LoopView& loop, double tolerance) {
-  std::vector<std::size_t> kept;
-  for (std::size_t at = 0; at < loop.size(); at = reach(loop, at, loop.size(), tolerance)) {
-    kept.push_back(at);
+class GreedyEdges {
+ public:
+  GreedyEdges(const ContourSet& contours, double tolerance)
+      : contours_(contours), tolerance_(tolerance) {}
+
+  Simplified run() {
+    OutlineBuilder builder(contours_);
+    for (const ContourSet::Loop& loop : contours_.loops()) {
+      const LoopView view(contours_, loop);
+      corridor_.build(view, tolerance_);
+      kept_.clear();
+      for (std::size_t at = 0; at < loop.count; at = next(view, at)) kept_.push_back(at);
+      builder.add(loop, kept_);
+    }
+    return builder.finish();
   }
-  return kept;
-}
+
+ private:
+  // What is seen through the windows is within the tolerance to first order: nearly always.
+  std::size_t next(const LoopView& loop, std::size_t from) const {
+    const std::size_t seen = farthest_seen(corridor_, from, loop.size());
+    return deviation(loop, {from, seen}) <= tolerance_ ? seen : reach(loop, from, seen, tolerance_);
+  }
+
+  const ContourSet& contours_;
+  const double tolerance_;
+  Corridor corridor_;
+  std::vector<std::size_t> kept_;
+};
 
 }  // namespace
 
 Simplified simplify_greedy(const ContourSet& contours, const SimplifyOptions& options) {
-  OutlineBuilder builder(contours);
-  const double tolerance = options.tolerance / contours.grid().unit();
-  for (const ContourSet::Loop& loop : contours.loops()) {
-    builder.add(loop, kept_vertices(LoopView(contours, loop), tolerance));
-  }
-  return builder.finish();
+  return GreedyEdges(contours, options.tolerance / contours.grid().unit()).run();
 }
 
 Simplified keep_all(const ContourSet& contours) {

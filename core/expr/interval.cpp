@@ -32,8 +32,14 @@ double up(double value, int ulps) {
   return std::isinf(value) ? std::nextafter(value, kInfinity) : value + margin(value, ulps);
 }
 
-// Rounding never changes a sign, so neither does widening: without that, the root of a sum of
-// squares would be undefined wherever both may be 0.
+// A product or quotient of numbers that are not 0 may round to 0, which then is not its bound.
+double not_vanished(double result, double a, double b) {
+  if (result != 0 || a == 0 || b == 0) return result;
+  return std::copysign(std::numeric_limits<double>::denorm_min(), result);
+}
+
+// Otherwise rounding never changes a sign, so neither does widening: without that, the root of a
+// sum of squares would be undefined wherever both may be 0.
 Interval widened(double low, double high, int ulps) {
   if (std::isnan(low) || std::isnan(high)) return Interval::anything();
   const double wider_low = down(low, ulps), wider_high = up(high, ulps);
@@ -66,7 +72,17 @@ Interval absolute(const Interval& a) {
 
 Interval quotient(const Interval& a, const Interval& b) {
   if (b.low <= 0 && b.high >= 0) return Interval::anything();
-  return around({a.low / b.low, a.low / b.high, a.high / b.low, a.high / b.high}, kBasicUlps);
+  const auto over = [](double p, double q) { return not_vanished(p / q, p, q); };
+  return around(
+      {over(a.low, b.low), over(a.low, b.high), over(a.high, b.low), over(a.high, b.high)},
+      kBasicUlps);
+}
+
+Interval product(const Interval& a, const Interval& b) {
+  const auto times = [](double p, double q) { return not_vanished(p * q, p, q); };
+  return around(
+      {times(a.low, b.low), times(a.low, b.high), times(a.high, b.low), times(a.high, b.high)},
+      kBasicUlps);
 }
 
 // Whether some peak + 2πk lies in the interval, with room for rounding: saying yes is always safe.
@@ -108,6 +124,16 @@ double to_whole(double a) {
   return std::round(a);
 }
 
+// However small, it is more than 0.
+double exponential_above_zero(double a) {
+  return std::max(exponential(a), std::numeric_limits<double>::denorm_min());
+}
+
+Interval exponential_over(const Interval& a) {
+  const Interval range = rising(exponential_above_zero, a, -kInfinity, kInfinity);
+  return Interval::of(std::max(range.low, 0.0), range.high);
+}
+
 Interval arc_cosine_over(const Interval& a) {
   if (a.low < -1 || a.high > 1) return Interval::anything();
   return widened(arc_cosine(a.high), arc_cosine(a.low), kElementarySlack);
@@ -142,7 +168,7 @@ Interval unary(Op op, const Interval& a) {
     case Op::kAtan:
       return rising(arc_tangent, a, -kInfinity, kInfinity);
     case Op::kExp:
-      return rising(exponential, a, -kInfinity, kInfinity);
+      return exponential_over(a);
     case Op::kLn:
       return rising(natural_logarithm, a, 0, kInfinity);
     default:
@@ -186,7 +212,7 @@ Interval apply(Op op, const Interval& a, const Interval& b) {
     case Op::kSubtract:
       return widened(a.low - b.high, a.high - b.low, kBasicUlps);
     case Op::kMultiply:
-      return around({a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high}, kBasicUlps);
+      return product(a, b);
     case Op::kDivide:
       return quotient(a, b);
     case Op::kMin:

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/base/vec.h"
-#include "core/contour/contour_set.h"
+#include "core/contour/simplify.h"
 
 namespace slipstick {
 
@@ -44,7 +44,7 @@ struct MaterialSettings {
   double seconds_per_layer_min = 8;  ///< Slower on small layers, so that they cool.
 };
 
-/// Where vertices sit on their sticks (ALGORITHMS C2, C3).
+/// Where vertices sit on their sticks.
 enum class Placement : std::uint8_t { kRoots, kSliding, kProjection, kLaplacian, kMidpoints };
 
 /// How contours get fewer edges.
@@ -62,6 +62,7 @@ struct SlicingSettings {
   double tolerance = 0.025;  ///< mm: Fréchet bound between simplified and placed contours.
   Placement place = Placement::kRoots;
   Simplification simplify = Simplification::kFewest;
+  Candidates candidates = Candidates::kThree;  ///< Of `kFewest`.
   Ambiguity ambiguity = Ambiguity::kSolid;
   double regularize = 0;  ///< mm: radius of the ball that opens and closes the solid; 0 is none.
   Certification certify = Certification::kReport;

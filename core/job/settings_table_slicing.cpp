@@ -6,6 +6,7 @@ namespace {
 constexpr std::string_view kPlacements[] = {"roots", "sliding", "projection", "laplacian",
                                             "midpoints"};
 constexpr std::string_view kSimplifications[] = {"fewest", "vsa", "greedy", "none"};
+constexpr std::string_view kCandidates[] = {"three", "one"};
 constexpr std::string_view kAmbiguities[] = {"solid", "void"};
 constexpr std::string_view kCertifications[] = {"strict", "report", "off"};
 
@@ -46,6 +47,16 @@ constexpr Setting kRows[] = {
          }},
      "How contours get fewer edges. fewest finds the fewest that the tolerance allows; vsa is the "
      "paper's; greedy takes each edge as far as it goes; none shows the contours as placed."},
+    {"candidates", SettingGroup::kSlicing, "",
+     ChoiceSetting{
+         kCandidates,
+         [](const PrintSettings& s) { return static_cast<std::size_t>(s.slicing.candidates); },
+         [](PrintSettings& s, std::size_t i) {
+           s.slicing.candidates = static_cast<Candidates>(i);
+         }},
+     "Where fewest may put a vertex. three tries both ends of what the tolerance leaves of a "
+     "stick, "
+     "one keeps to the placed contour: quicker, with about half as many edges again."},
     {"ambiguity", SettingGroup::kSlicing, "",
      ChoiceSetting{
          kAmbiguities,

@@ -26,6 +26,8 @@ class PositionTracker {
   [[nodiscard]] const Position& position() const { return position_; }
   /// Moves are relative to a place that is not known: only a report helps.
   [[nodiscard]] bool lost() const;
+  [[nodiscard]] bool relative() const { return relative_; }
+  [[nodiscard]] bool relative_extrusion() const { return relative_e_; }
 
  private:
   void move(const GcodeCommand& command);

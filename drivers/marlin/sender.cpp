@@ -59,10 +59,11 @@ bool Sender::wants_line() const {
   return !over() && !queued_ && (!ended_ || done_);
 }
 
-void Sender::push(Line line) {
+void Sender::push(Line line, LineOwner owner) {
   SLIPSTICK_CHECK(wants_line());
   ended_ = done_ = false;
   closing_.reset();
+  queued_for_ = owner;
   queued_ = std::move(line);
 }
 
@@ -142,9 +143,9 @@ bool Sender::bind_next(Moment now) {
     ++position_requests_;
     lines_.bind("M114", LineOwner::kSender);
   } else if (queued_) {
-    lines_.bind(queued_->text(), LineOwner::kJob);
+    lines_.bind(queued_->text(), queued_for_);
     queued_.reset();
-    ++counters_.lines_sent;
+    if (queued_for_ == LineOwner::kJob) ++counters_.lines_sent;
   } else if (ended_ && !closing_) {
     closing_ = lines_.bind("M105", LineOwner::kSender);
   } else {

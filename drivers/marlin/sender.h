@@ -75,8 +75,9 @@ class Sender {
 
   /// Whether there is room for a line of the job.
   [[nodiscard]] bool wants_line() const;
-  /// The next line of the job. \pre wants_line().
-  void push(Line line);
+  /// The next line of the job, or one that its owner puts between them: those are executed in the
+  /// same order, but not counted. \pre wants_line().
+  void push(Line line, LineOwner owner = LineOwner::kJob);
   /// No more lines come. The state becomes kDone once all were surely accepted.
   void end_of_job();
 
@@ -216,6 +217,7 @@ class Sender {
 
   // The job.
   std::optional<Line> queued_;
+  LineOwner queued_for_ = LineOwner::kJob;
   std::vector<Line> stop_lines_;       ///< In reverse.
   std::optional<LineNumber> closing_;  ///< The M105 whose answer proves that the job was taken.
   bool ended_ = false;

@@ -10,8 +10,8 @@
 
 namespace slipstick {
 
-/// Who wants a line printed.
-enum class LineOwner : std::uint8_t { kSender, kJob };
+/// Who wants a line executed: the sender, its owner, or the job.
+enum class LineOwner : std::uint8_t { kSender, kHost, kJob };
 
 /// The last `kCapacity` lines by number. A number never means another line that changes anything:
 /// Marlin takes numbers in sequence only, so whatever is sent again, and however often, each is

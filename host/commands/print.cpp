@@ -8,8 +8,10 @@
 #include "host/atomic_file.h"
 #include "host/commands/command.h"
 #include "host/file_lines.h"
+#include "host/interrupt.h"
 #include "host/layer_lines.h"
 #include "host/options.h"
+#include "host/pause.h"
 #include "host/print_watch.h"
 #include "host/printer_link.h"
 #include "host/progress.h"
@@ -120,7 +122,9 @@ class PrintRun {
   Result<void> stream(LineSource& lines) {
     auto link = open_printer(command_.port, request_.settings.printer.bed_size, watch_->sink());
     if (!link) return fail(link.error());
-    const auto outcome = stream_job(*link->transport, *link->clock, lines, link->pace);
+    Interrupt::pause_by_terminal();
+    const auto outcome = stream_job(*link->transport, *link->clock, lines,
+                                    {link->pace, parking_place(request_.settings)});
     if (!outcome) return fail(outcome.error());
     outcome_ = *outcome;
     if (link->sim == nullptr) return {};
@@ -176,7 +180,9 @@ void add_print_command(CLI::App& app, ChosenCommand& run) {
   sub->add_flag("--json", command->json, "print the report on standard output");
   command->model.add_to(*sub);
   command->slicing.add_to(*sub);
-  sub->footer("Example: slipstick print configs/solids/gyroid_sphere.lua --port sim:");
+  sub->footer(
+      "Example: slipstick print configs/solids/gyroid_sphere.lua --port sim:\n"
+      "Ctrl-Z pauses with the nozzle parked and hot, and goes on; Ctrl-C ends with heaters off.");
   sub->callback([command, &run] { run = [command] { return PrintRun(*command).run(); }; });
 }
 

@@ -4,6 +4,7 @@
 
 #include "host/file_lines.h"
 #include "host/layer_lines.h"
+#include "host/pause.h"
 #include "host/print_watch.h"
 #include "host/printer_link.h"
 
@@ -75,7 +76,7 @@ class TaskRun {
     CountedLines lines(**file, [&](std::int64_t line) {
       listeners_.on_completion(std::min(double(line - 1) / total, 1.0));
     });
-    return stream(lines, settings.printer);
+    return stream(lines, settings);
   }
 
   Result<void> print_model() {
@@ -89,17 +90,18 @@ class TaskRun {
       watch_->expect(layer);
       listeners_.on_layer(layer.index - first + 1, layer.top);
     });
-    if (const auto ok = stream(lines, prepared->request.settings.printer); !ok) return ok;
+    if (const auto ok = stream(lines, prepared->request.settings); !ok) return ok;
     report_["layers"] = (*job)->totals().layers;
     report_["violations"] = (*job)->totals().violations;
     report_["filament_mm"] = (*job)->totals().filament_mm;
     return {};
   }
 
-  Result<void> stream(LineSource& lines, const PrinterSettings& printer) {
-    auto link = open_printer(task_.port, printer.bed_size, watch_->sink());
+  Result<void> stream(LineSource& lines, const PrintSettings& settings) {
+    auto link = open_printer(task_.port, settings.printer.bed_size, watch_->sink());
     if (!link) return fail(link.error());
-    const auto outcome = stream_job(*link->transport, *link->clock, lines, link->pace, control_);
+    const auto outcome = stream_job(*link->transport, *link->clock, lines,
+                                    {link->pace, parking_place(settings)}, control_);
     if (!outcome) return fail(outcome.error());
     report_["lines"] = outcome->counters.lines_acknowledged;
     report_["resends"] = outcome->counters.resends;

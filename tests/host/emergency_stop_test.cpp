@@ -51,7 +51,7 @@ Moment latency(bool full) {
                           first &= state != SenderState::kHalted;
                         }});
   auto print = std::async(std::launch::async, [&] {
-    return stream_job(*terminal.host, clock, lines, Pace::kRealTime, control);
+    return stream_job(*terminal.host, clock, lines, {Pace::kRealTime, {}}, control);
   });
   std::array<char, 8192> buffer{};
   (void)terminal.printer->read_some(std::span(buffer).first(1), 100ms);

@@ -63,6 +63,69 @@ class FrailTransport final : public Transport {
   const Fault& fault_;
 };
 
+constexpr ParkingPlace kParking{.x = 5,
+                                .y = 215,
+                                .height_max = 250,
+                                .retraction = 1,
+                                .retraction_speed = 30,
+                                .travel_speed = 100,
+                                .lift_speed = 10};
+
+// A start and forty beads, which end at no place twice and are too long for the planner to stretch.
+std::vector<std::string> spiral(const std::string& extrusion) {
+  std::vector<std::string> lines{"M104 S200", "M109 S200", "G28",
+                                 extrusion,   "G92 E0",    "G1 X100 Y100 Z0.3 F6000"};
+  for (int i = 1; i <= 40; ++i) {
+    const int reach = i % 2 == 0 ? 10 + i : -10 - i;
+    const double e = extrusion == "M83" ? 0.1 : 0.1 * i;
+    lines.push_back("G1 X" + std::to_string(100 + reach) + " Y" + std::to_string(100 + i) + " E" +
+                    std::to_string(e) + (i % 7 == 0 ? " F3000" : ""));
+  }
+  return lines;
+}
+
+class ProgramLines final : public LineSource {
+ public:
+  explicit ProgramLines(std::vector<std::string> lines) : lines_(std::move(lines)) {}
+  Result<std::optional<Line>> next() override {
+    if (given_ == lines_.size()) return std::optional<Line>();
+    return normalise(lines_[given_++]);
+  }
+  bool ready() const override { return true; }
+
+ private:
+  std::vector<std::string> lines_;
+  std::size_t given_ = 0;
+};
+
+// From where to where, how much and how fast, in units that rounding does not reach.
+using BeadNumbers = std::array<long, 7>;
+
+// What a program lays when it is paused once `line` lines were sent; never if that is negative.
+std::vector<BeadNumbers> beads(const std::vector<std::string>& program, int line) {
+  std::vector<BeadNumbers> beads;
+  PrintControl* handle = nullptr;
+  int turns = 0;  // while it is held
+  PrintControl control({{}, [&](SenderState, const SenderCounters& counters) {
+                          if (turns == 0 && static_cast<int>(counters.lines_sent) == line)
+                            handle->pause();
+                          if (handle->wish() == PrintControl::Wish::kPause && ++turns == 3)
+                            handle->resume();
+                        }});
+  handle = &control;
+  SimTransport sim(*sim_options({}), [&](const ExecutedMove& move) {
+    const auto micro = [](double mm) { return std::lround(mm * 1000); };
+    if (move.filament() <= 0 || (move.from.x == move.to.x && move.from.y == move.to.y)) return;
+    beads.push_back({micro(move.from.x), micro(move.from.y), micro(move.to.x), micro(move.to.y),
+                     micro(move.to.z), micro(move.filament()), micro(move.speed)});
+  });
+  ProgramLines lines(program);
+  REQUIRE(stream_job(sim, sim.clock(), lines, {Pace::kVirtual, kParking}, control));
+  sim.run_down(std::chrono::hours(1));
+  CHECK((line < 0 || turns >= 3));
+  return beads;
+}
+
 double nozzle_target(const SimTransport& sim) {
   return sim.printer().machine().nozzle.target();
 }
@@ -76,7 +139,7 @@ TEST_CASE("A cancelled print ends with the heaters off and sends no further line
     if (line == 50) control.cancel();
   });
 
-  const auto outcome = stream_job(sim, sim.clock(), moves, Pace::kVirtual, control);
+  const auto outcome = stream_job(sim, sim.clock(), moves, {Pace::kVirtual, {}}, control);
 
   REQUIRE(!outcome);
   CHECK(outcome.error().code == ErrorCode::kCancelled);
@@ -101,7 +164,7 @@ TEST_CASE("Heaters are said to be off only where the printer has confirmed it") 
     if (line == 50) control.cancel();
   });
 
-  const auto outcome = stream_job(frail, sim.clock(), moves, Pace::kVirtual, control);
+  const auto outcome = stream_job(frail, sim.clock(), moves, {Pace::kVirtual, {}}, control);
 
   REQUIRE(!outcome);
   CHECK(outcome.error().code == ErrorCode::kCancelled);
@@ -128,11 +191,43 @@ TEST_CASE("A paused print sends nothing until it is resumed, and then everything
   handle = &control;
   SimTransport sim(*sim_options({}));
 
-  const auto outcome = stream_job(sim, sim.clock(), moves, Pace::kVirtual, control);
+  const auto outcome = stream_job(sim, sim.clock(), moves, {Pace::kVirtual, {}}, control);
 
   REQUIRE(outcome);
   CHECK(turns_paused == 6);
   CHECK(outcome->counters.lines_acknowledged == 60);
+}
+
+TEST_CASE("A print paused at any line lays the very same beads") {
+  const std::string extrusion = GENERATE("M82", "M83");
+  const std::vector<std::string> program = spiral(extrusion);
+  const auto expected = beads(program, -1);
+  REQUIRE(expected.size() == 40);
+
+  for (int line = 0; line < static_cast<int>(program.size()); ++line) {
+    INFO("paused at line " << line << " with " << extrusion);
+    CHECK(beads(program, line) == expected);
+  }
+}
+
+TEST_CASE("A print cancelled while it is parked ends with the heaters off") {
+  PrintControl* handle = nullptr;
+  int turns = 0;  // while it is held
+  PrintControl control({{}, [&](SenderState, const SenderCounters& counters) {
+                          if (counters.lines_sent == 8) handle->pause();
+                          if (handle->wish() != PrintControl::Wish::kPause) return;
+                          if (++turns == 40) handle->cancel();
+                        }});
+  handle = &control;
+  SimTransport sim(*sim_options({}));
+  ProgramLines lines(spiral("M83"));
+
+  const auto outcome = stream_job(sim, sim.clock(), lines, {Pace::kVirtual, kParking}, control);
+
+  REQUIRE(!outcome);
+  CHECK_THAT(outcome.error().message, Contains("cancelled; heaters are off"));
+  CHECK(sim.printer().machine().position.x == kParking.x);
+  CHECK(nozzle_target(sim) == 0);
 }
 
 TEST_CASE("An emergency stop kills the printer at once") {
@@ -142,7 +237,7 @@ TEST_CASE("An emergency stop kills the printer at once") {
     if (line == 50) control.emergency_stop();
   });
 
-  const auto outcome = stream_job(sim, sim.clock(), moves, Pace::kVirtual, control);
+  const auto outcome = stream_job(sim, sim.clock(), moves, {Pace::kVirtual, {}}, control);
 
   REQUIRE(!outcome);
   CHECK_THAT(outcome.error().message, Contains("emergency stop"));
@@ -172,7 +267,7 @@ TEST_CASE("A listener hears temperatures and progress") {
   SimTransport sim(*sim_options({}));
   Moves moves(200, [](int) {});
 
-  REQUIRE(stream_job(sim, sim.clock(), moves, Pace::kVirtual, control));
+  REQUIRE(stream_job(sim, sim.clock(), moves, {Pace::kVirtual, {}}, control));
 
   CHECK(temperatures);
   CHECK(lines == 200);

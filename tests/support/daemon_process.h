@@ -1,10 +1,10 @@
 #pragma once
 
-#include <sys/types.h>
-
 #include <cstdint>
 #include <filesystem>
 #include <string>
+
+#include "tests/support/child_process.h"
 
 namespace slipstick::test {
 
@@ -12,16 +12,13 @@ namespace slipstick::test {
 class DaemonProcess {
  public:
   DaemonProcess(const std::filesystem::path& data, const std::string& printer);
-  ~DaemonProcess();
-  DaemonProcess(const DaemonProcess&) = delete;
-  DaemonProcess& operator=(const DaemonProcess&) = delete;
 
   [[nodiscard]] std::uint16_t port() const { return port_; }
   /// Sends `signal` and waits for the end. \return the exit status, or 128 + the signal.
   int end(int signal);
 
  private:
-  pid_t process_ = -1;
+  ChildProcess process_;
   std::uint16_t port_ = 0;
 };
 

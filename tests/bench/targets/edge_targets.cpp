@@ -6,11 +6,14 @@
 #include "core/contour/simplify.h"
 #include "core/contour/trace.h"
 #include "core/image/sample.h"
-#include "tests/bench/targets/subjects.h"
+#include "tests/bench/subjects.h"
 #include "tests/bench/targets/targets.h"
 #include "tests/support/lower_bound.h"
 
 namespace slipstick::targets {
+
+using namespace bench;
+
 namespace {
 
 struct Edges {

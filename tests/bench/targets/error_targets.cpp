@@ -8,10 +8,13 @@
 #include "core/contour/simplify.h"
 #include "core/contour/trace.h"
 #include "core/image/sample.h"
-#include "tests/bench/targets/subjects.h"
+#include "tests/bench/subjects.h"
 #include "tests/bench/targets/targets.h"
 
 namespace slipstick::targets {
+
+using namespace bench;
+
 namespace {
 
 constexpr int kPointsPerEdge = 8;

@@ -2,10 +2,13 @@
 
 #include "core/base/check.h"
 #include "core/image/sample.h"
-#include "tests/bench/targets/subjects.h"
+#include "tests/bench/subjects.h"
 #include "tests/bench/targets/targets.h"
 
 namespace slipstick::targets {
+
+using namespace bench;
+
 namespace {
 
 constexpr int kRounds = 30;

@@ -8,10 +8,13 @@
 #include "core/base/check.h"
 #include "host/layer_slicer.h"
 #include "host/slicing_job.h"
-#include "tests/bench/targets/subjects.h"
+#include "tests/bench/subjects.h"
 #include "tests/bench/targets/targets.h"
 
 namespace slipstick::targets {
+
+using namespace bench;
+
 namespace {
 
 // A line of /proc/self/status, in MB.

@@ -120,6 +120,28 @@ TEST_CASE("A certified slice has the topology of one four times as fine", "[cert
   CHECK(certified >= 8);
 }
 
+TEST_CASE("Certified squares do not depend on where the window begins", "[certify]") {
+  Rng rng(10);
+  for (int round = 0; round < 6; ++round) {
+    const Subject blobs = random_blobs(rng);
+    const double z = rng.unit() * 4 - 2;
+    const SliceGrid grid = blobs.grid(kH);
+    const double shift = kH * static_cast<double>(1 + rng.below(70));
+    const Box2 wider{{grid.node_x(0) - shift, grid.node_y(0) - 2 * shift},
+                     {grid.node_x(grid.columns() - 1), grid.node_y(grid.rows() - 1)}};
+    const BitImage here = blobs.image(z, grid);
+    const BitImage there = blobs.image(z, SliceGrid::over(wider, kH).value());
+    REQUIRE(there.grid().columns() > here.grid().columns());
+
+    const LayerCertificate a = certify_layer(*blobs.field(), here, z, z + kLayer);
+    const LayerCertificate b = certify_layer(*blobs.field(), there, z, z + kLayer);
+
+    CHECK(a.cells == b.cells);
+    CHECK(a.uncertified == b.uncertified);
+    CHECK(a.hidden() == b.hidden());
+  }
+}
+
 TEST_CASE("What a slice cannot show is not certified", "[certify]") {
   // A rod between the samples, a hundredth of a millimetre thick.
   const Subject rod("return union(box(4, 4, 1), cylinder(0.01, 3):move(0.05, 0.05, 0))");

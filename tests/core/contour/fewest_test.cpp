@@ -2,7 +2,10 @@
 // segmentation or the greedy form, never fewer than the bound.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <optional>
+#include <set>
 #include <string>
+#include <utility>
 
 #include "core/contour/audit.h"
 #include "core/contour/simplify.h"
@@ -39,6 +42,47 @@ Case drawn(std::uint64_t seed) {
   c.options.tolerance = rng.unit() * 0.1;
   c.options.alpha = static_cast<int>(1 + rng.below(15));
   return c;
+}
+
+// Whether `p` lies on the open stick, and if so, where.
+std::optional<Place> on(Stick stick, GridPoint p) {
+  const Step e = step(stick.outward);
+  const GridPoint node = inside_node(stick);
+  const std::int64_t k = std::int64_t{e.x} * (p.x - node.x) + std::int64_t{e.y} * (p.y - node.y);
+  const auto place = Place::clamped(k);
+  return position(stick, place) == p ? std::optional(place) : std::nullopt;
+}
+
+// Where the segment from a to b crosses the stick, to the nearest place.
+Place crossing(Stick stick, GridPoint a, GridPoint b) {
+  const GridPoint node = inside_node(stick);
+  const Step e = step(stick.outward);
+  const double along_a = e.x * (a.x - node.x) + e.y * (a.y - node.y);
+  const double along_b = e.x * (b.x - node.x) + e.y * (b.y - node.y);
+  const double across_a = e.x * (a.y - node.y) - e.y * (a.x - node.x);
+  const double across_b = e.x * (b.y - node.y) - e.y * (b.x - node.x);
+  const double share = across_a / (across_a - across_b);
+  return Place::clamped(std::lround(along_a + share * (along_b - along_a)));
+}
+
+// Puts every vertex of `contours` onto `outline`, which was made of them.
+void put_onto(ContourSet& contours, const Outline& outline) {
+  for (std::size_t loop = 0; loop < contours.loops().size(); ++loop) {
+    const auto& points = outline.loops()[loop].points;
+    const auto sticks = std::as_const(contours).sticks(contours.loops()[loop]);
+    const auto places = contours.places(contours.loops()[loop]);
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < sticks.size(); ++i) {
+      const GridPoint to = points[next % points.size()];
+      if (const auto place = on(sticks[i], to)) {
+        places[i] = *place;
+        ++next;
+      } else {
+        places[i] = crossing(sticks[i], points[(next + points.size() - 1) % points.size()], to);
+      }
+    }
+    REQUIRE(next == points.size());
+  }
 }
 
 std::size_t fewest_edges(const Case& c) {
@@ -137,6 +181,49 @@ TEST_CASE("The same contours give the same outline, whatever was simplified befo
   for (std::size_t i = 0; i < first.outline.loops().size(); ++i) {
     CHECK(first.outline.loops()[i].points == again.outline.loops()[i].points);
   }
+}
+
+// The contour has moved by up to the tolerance and may move by as much again, so fewer are allowed;
+// each loop begins where the greedy chain settles, which may cost it one.
+TEST_CASE("An outline simplified again has no more edges") {
+  std::size_t before = 0, after = 0;
+  for (std::uint64_t seed = 0; seed < 600; ++seed) {
+    INFO("seed " << seed);
+    Case c = drawn(seed);
+    const Simplified first = simplify_fewest(c.contours, c.options);
+
+    put_onto(c.contours, first.outline);
+    const std::size_t again = fewest_edges(c);
+
+    REQUIRE(again <= first.outline.edges() + c.contours.loops().size());
+    before += first.outline.edges();
+    after += again;
+  }
+  CHECK(after <= before);
+}
+
+TEST_CASE("With one candidate every vertex is one of the contour's own") {
+  std::size_t three = 0, one = 0;
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    INFO("seed " << seed);
+    Case c = drawn(seed);
+    three += fewest_edges(c);
+    c.options.candidates = Candidates::kOne;
+
+    const Simplified simplified = simplify_fewest(c.contours, c.options);
+
+    one += simplified.outline.edges();
+    REQUIRE(simplified.max_deviation <= c.options.tolerance + c.contours.grid().unit());
+    std::set<std::pair<int, int>> own;
+    for (std::size_t i = 0; i < c.contours.sticks().size(); ++i) {
+      const GridPoint p = position(c.contours.sticks()[i], c.contours.places()[i]);
+      own.insert({p.x, p.y});
+    }
+    for (const Outline::Loop& loop : simplified.outline.loops()) {
+      for (const GridPoint p : loop.points) REQUIRE(own.count({p.x, p.y}) == 1);
+    }
+  }
+  CHECK(three < one);
 }
 
 TEST_CASE("A larger tolerance hardly ever gives more edges") {

@@ -1,11 +1,11 @@
 #include "core/expr/tape.h"
 
-#include <bit>
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "core/base/rng.h"
 #include "core/expr/extent.h"
+#include "tests/support/expression_bytes.h"
 
 using namespace slipstick;
 
@@ -35,27 +35,6 @@ double value_at(const Tape& tape, Vec3 p) {
   return evaluator.evaluate(tape, {&p.x, 1}, {&p.y, 1}, p.z)[0];
 }
 
-double value_of(const Graph& graph, Graph::Id id, Vec3 p) {
-  const Graph::Node& n = graph[id];
-  switch (n.op) {
-    case Op::kConstant:
-      return n.value;
-    case Op::kX:
-      return p.x;
-    case Op::kY:
-      return p.y;
-    case Op::kZ:
-      return p.z;
-    default:
-      return apply(n.op, value_of(graph, n.a, p), is_binary(n.op) ? value_of(graph, n.b, p) : 0);
-  }
-}
-
-bool same(double a, double b) {
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) ||
-         (std::isnan(a) && std::isnan(b));
-}
-
 }  // namespace
 
 TEST_CASE("Tapes, pruned tapes and intervals agree with the definition, bit for bit") {
@@ -73,9 +52,9 @@ TEST_CASE("Tapes, pruned tapes and intervals agree with the definition, bit for 
 
       const double value = value_at(tape, p);
 
-      REQUIRE(same(value, value_of(graph, root, p)));
-      REQUIRE(same(value, value_at(compile_at(graph, root, p.z), p)));
-      if (!pruned.tape.steps.empty()) REQUIRE(same(value, value_at(pruned.tape, p)));
+      REQUIRE(test::same_value(value, test::value_of(graph, root, p)));
+      REQUIRE(test::same_value(value, value_at(compile_at(graph, root, p.z), p)));
+      if (!pruned.tape.steps.empty()) REQUIRE(test::same_value(value, value_at(pruned.tape, p)));
       if (std::isnan(value)) {
         REQUIRE(pruned.range.may_be_nan);
       } else {

@@ -1,6 +1,7 @@
 // The law of toolpaths: what is laid has the components and holes of the contours, for any image.
 #include "core/toolpath/plan_layer.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <numbers>
 
@@ -8,6 +9,7 @@
 #include "core/contour/trace.h"
 #include "core/region/level.h"
 #include "core/toolpath/flow.h"
+#include "core/toolpath/walls.h"
 #include "sim/judge.h"
 #include "tests/support/images.h"
 
@@ -38,7 +40,69 @@ double volume_of(const LayerToolpaths& layer) {
   return volume;
 }
 
+// `image` without one node in four.
+BitImage with_gaps(const BitImage& image, Rng& rng) {
+  BitImage result = image;
+  for (int row = 1; row + 1 < image.rows(); ++row) {
+    for (int column = 1; column + 1 < image.columns(); ++column) {
+      if (rng.below(4) == 0) result.set(column, row, false);
+    }
+  }
+  return result;
+}
+
+double from_bead(Vec2 p, const Bead& bead) {
+  double least = 1e9;
+  for (std::size_t i = 0; i + 1 < bead.points.size(); ++i) {
+    const Vec2 a = bead.points[i], edge = bead.points[i + 1] - a;
+    const double at = std::clamp(dot(p - a, edge) / dot(edge, edge), 0.0, 1.0);
+    least = std::min(least, length(p - a - at * edge));
+  }
+  return least;
+}
+
+double from_skin(Vec2 p, const LayerToolpaths& layer) {
+  double least = 1e9;
+  for (const Bead& bead : layer.beads) {
+    if (bead.role == Role::kSkin) least = std::min(least, from_bead(p, bead));
+  }
+  return least;
+}
+
 }  // namespace
+
+TEST_CASE("What is bare above or below, inside the perimeters, lies under skin") {
+  std::size_t bare = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    Rng rng(seed);
+    const BitImage image = test::structured(rng);
+    BitImage above = image, below = image;
+    (rng.below(2) == 0 ? above : below) = with_gaps(image, rng);
+    PrintSettings settings;
+    settings.toolpath.perimeters = 1;
+    settings.toolpath.infill_density = 0;
+    settings.toolpath.line_width = 0.2;
+    const Outline outline = simplify_greedy(trace(image, Ambiguity::kSolid), {}).outline;
+    INFO("seed " << seed);
+
+    const LayerToolpaths layer =
+        plan_layer({1, 0.4, kHeight, image, outline, above, below}, settings);
+
+    const LineMeasures lines = measures_of(settings, 1, kHeight);
+    // A node lies between two lines, or less than a line from the end of one.
+    const DistanceField depth(image, outline, lines.infill_edge() + lines.spacing);
+    for (int row = 0; row < image.rows(); ++row) {
+      for (int column = 0; column < image.columns(); ++column) {
+        if (depth.at(column, row) < lines.infill_edge() + lines.spacing / 2) continue;
+        if (above.at(column, row) && below.at(column, row)) continue;
+        ++bare;
+        const Vec2 p{image.grid().node_x(column), image.grid().node_y(row)};
+        CHECK(from_skin(p, layer) <= lines.spacing);
+      }
+    }
+  }
+  CHECK(bare > 50);
+}
 
 TEST_CASE("An island that a ring of no length would fit into is laid as a dot") {
   BitImage image(test::small_grid(3, 3));

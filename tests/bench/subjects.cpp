@@ -1,4 +1,4 @@
-#include "tests/bench/targets/subjects.h"
+#include "tests/bench/subjects.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include "core/job/placement.h"
 #include "host/load_model.h"
 
-namespace slipstick::targets {
+namespace slipstick::bench {
 namespace {
 
 std::shared_ptr<const Solid> on_bed(const Model& model, const PlacementRequest& request) {
@@ -106,7 +106,7 @@ std::vector<Subject> filigree_layers() {
       subject(
           "rings",
           lua_solid(
-              "return torus(3.6, 1):array(25, 25, 0, 8, 8, 1):bounds(-12, -12, -1, 191, 191, 1)"),
+              "return torus(3.6, 1):array(17, 17, 0, 12, 12, 1):bounds(-5, -5, -1, 198, 198, 1)"),
           kSampling),
       subject("gyroid", lua_solid("return intersection(box(203, 203, 10), gyroid(150, 30))"),
               kSampling)};
@@ -125,4 +125,4 @@ std::string models_folder() {
   return folder == nullptr ? "" : folder;
 }
 
-}  // namespace slipstick::targets
+}  // namespace slipstick::bench

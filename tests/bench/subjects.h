@@ -8,10 +8,10 @@
 #include "core/image/bit_image.h"
 #include "core/solid/solid.h"
 
-namespace slipstick::targets {
+namespace slipstick::bench {
 
 /// \file
-/// What the targets are measured on.
+/// What targets and stages are measured on.
 
 /// A plane of a solid over a lattice.
 struct Subject {
@@ -35,11 +35,12 @@ struct Subject {
 [[nodiscard]] std::vector<Subject> smooth_subjects();
 /// Those, and shapes with corners: a turned square, a truss of struts, the example solids.
 [[nodiscard]] std::vector<Subject> edge_subjects();
-/// 3200 nodes a side and about 26,000 sticks, as a layer of the paper's Filigree.
+/// 3200 nodes a side, as a layer of the paper's Filigree: two of about as many sticks (26,000), and a
+/// real model of five times as many.
 [[nodiscard]] std::vector<Subject> filigree_layers();
 
 /// The folder that SLIPSTICK_MODELS names, or nothing: rows that need real models are left out and
 /// say so.
 [[nodiscard]] std::string models_folder();
 
-}  // namespace slipstick::targets
+}  // namespace slipstick::bench

@@ -1,0 +1,12 @@
+// Times each stage: `stages --benchmark_filter=roots`. scripts/compare sets two commits side by
+// side.
+#include <benchmark/benchmark.h>
+
+#include "tests/bench/stages/stages.h"
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  slipstick::register_layer_stages();
+  benchmark::RunSpecifiedBenchmarks();
+}

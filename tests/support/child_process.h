@@ -1,0 +1,32 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+#include <vector>
+
+#include "drivers/unique_fd.h"
+
+namespace slipstick::test {
+
+/// The `slipstick` that was built with the tests, as a process beside the test; killed with its
+/// owner.
+class ChildProcess {
+ public:
+  explicit ChildProcess(std::vector<std::string> arguments);
+  ~ChildProcess();
+  ChildProcess(const ChildProcess&) = delete;
+  ChildProcess& operator=(const ChildProcess&) = delete;
+
+  /// Waits for the next line on its standard output; what there is of it if that ends.
+  [[nodiscard]] std::string line();
+  void send(int signal) const;
+  /// Waits for its end. \return the exit status, or 128 + the signal.
+  int wait();
+
+ private:
+  pid_t process_ = -1;
+  UniqueFd out_;
+};
+
+}  // namespace slipstick::test
