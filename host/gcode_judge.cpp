@@ -61,6 +61,8 @@ class Run {
 
   void show_to(const GcodeWatch& watch) {
     if (watch.layers) judge_.show_to(watch.layers);
+    player_.show_to(watch.machine);
+    moves_ = watch.moves;
   }
 
   Result<void> keep_ledgers(const Box2& area, double pixel) {
@@ -122,12 +124,14 @@ class Run {
     verdict_.filament_mm += filament;
     verdict_.retractions += filament < 0 ? 1 : 0;
     verdict_.travels += crosses && filament <= 0 ? 1 : 0;
+    if (moves_) moves_(move);
     deposit_.add(move);
   }
 
   const PlacedSolid& placed_;
   const Sections& sections_;
   GcodeVerdict verdict_;
+  Planner::Sink moves_;
   std::optional<Error> failure_;
   PrintJudge judge_;
   Deposit deposit_;

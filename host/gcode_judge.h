@@ -32,6 +32,8 @@ struct GcodeVerdict {
 /// Who sees what while a program is judged; what is empty sees nothing.
 struct GcodeWatch {
   PrintJudge::Watcher layers;
+  GcodePlayer::Watcher machine;
+  Planner::Sink moves;
 };
 
 /// Prints the program in `path` on the simulated machine and judges each layer by the section of

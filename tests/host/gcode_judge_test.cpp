@@ -8,6 +8,7 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
@@ -233,6 +234,23 @@ TEST_CASE("A picture shows what was laid right and what too much, of the first w
   CHECK(colours[kTooMuch] > 2'000);  // 4.7 mm² of a picture 41 mm across, 1000 pixels.
   CHECK(of_another[kRight] > 10'000);
   CHECK(of_another[kTooMuch] < 1'000);
+}
+
+TEST_CASE("Temperatures and speeds over time are drawn") {
+  const Bench bench;
+  const std::string curves = bench.file("curves.svg");
+
+  const auto done = bench.draw(bench.program(), {"--curves", curves});
+  const auto refused = bench.draw(bench.program(), {"--curves", bench.file("curves.txt")});
+
+  INFO(done.err);
+  CHECK(done.status == 0);
+  std::stringstream text;
+  text << std::ifstream(curves).rdbuf();
+  CHECK(text.str().find("<svg") != std::string::npos);
+  CHECK(text.str().size() > 10'000);
+  CHECK(refused.status == 1);
+  CHECK(refused.err.find("curves are .svg or .png") != std::string::npos);
 }
 
 TEST_CASE("A picture of no known form, or of a layer that is not there, is refused") {
