@@ -59,6 +59,12 @@ class Run {
                  [this](const ExtrudedSegment& bead) { judge_.add(bead); }),
         player_(settings.printer.bed_size, [this](const ExecutedMove& move) { take(move); }) {}
 
+  void show_to(const GcodeWatch& watch) {
+    if (watch.layers) judge_.show_to(watch.layers);
+    player_.show_to(watch.machine);
+    moves_ = watch.moves;
+  }
+
   Result<void> keep_ledgers(const Box2& area, double pixel) {
     auto printed = PrintLedger::over(area, pixel);
     auto wanted = PrintLedger::over(area, pixel);
@@ -118,12 +124,14 @@ class Run {
     verdict_.filament_mm += filament;
     verdict_.retractions += filament < 0 ? 1 : 0;
     verdict_.travels += crosses && filament <= 0 ? 1 : 0;
+    if (moves_) moves_(move);
     deposit_.add(move);
   }
 
   const PlacedSolid& placed_;
   const Sections& sections_;
   GcodeVerdict verdict_;
+  Planner::Sink moves_;
   std::optional<Error> failure_;
   PrintJudge judge_;
   Deposit deposit_;
@@ -133,13 +141,14 @@ class Run {
 }  // namespace
 
 Result<GcodeVerdict> judge_gcode(const std::filesystem::path& path, const PlacedSolid& placed,
-                                 const PrintSettings& settings) {
+                                 const PrintSettings& settings, const GcodeWatch& watch) {
   const Box3& b = placed.bounds;
   const auto grid = SliceGrid::over({{b.low.x, b.low.y}, {b.high.x, b.high.y}},
                                     LayerStack::aligned_sampling(settings.slicing));
   if (!grid) return fail(grid.error());
   const Sections sections(placed.solid, *grid, settings.slicing.ambiguity);
   Run run(placed, settings, sections);
+  run.show_to(watch);
   const Vec2 margin{kLedgerMargin, kLedgerMargin};
   const Box2 area{Vec2{b.low.x, b.low.y} - margin, Vec2{b.high.x, b.high.y} + margin};
   if (const auto ok = run.keep_ledgers(area, judge_options(settings).pixel); !ok) {

@@ -29,6 +29,13 @@ struct GcodeVerdict {
   [[nodiscard]] bool right() const { return print.wrong() == 0 && top_missing == 0; }
 };
 
+/// Who sees what while a program is judged; what is empty sees nothing.
+struct GcodeWatch {
+  PrintJudge::Watcher layers;
+  GcodePlayer::Watcher machine;
+  Planner::Sink moves;
+};
+
 /// Prints the program in `path` on the simulated machine and judges each layer by the section of
 /// `placed` half way up in it. Any slicer's program will do that lays the model where `placed` is.
 /// Reads line by line; keeps two layers. The same numbers, bit for bit, each time.
@@ -36,6 +43,7 @@ struct GcodeVerdict {
 /// undefined somewhere or too large for the sampling.
 [[nodiscard]] Result<GcodeVerdict> judge_gcode(const std::filesystem::path& path,
                                                const PlacedSolid& placed,
-                                               const PrintSettings& settings);
+                                               const PrintSettings& settings,
+                                               const GcodeWatch& watch = {});
 
 }  // namespace slipstick

@@ -60,6 +60,7 @@ void GcodePlayer::pass_time(Moment deadline) {
   if (const auto at = machine_.planner.next_event()) next = std::min(next, *at);
   now_ = std::max(next, now_ + Moment(1));
   machine_.advance(now_);
+  if (watcher_) watcher_(now_, machine_);
 }
 
 double GcodePlayer::finish() {

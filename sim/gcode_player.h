@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,6 +30,10 @@ class GcodePlayer {
 
   GcodePlayer(const Vec3& build_volume, const Planner::Sink& sink);
 
+  /// Gets the machine each time when time has passed.
+  using Watcher = std::function<void(Moment now, const Machine&)>;
+  void show_to(Watcher watcher) { watcher_ = std::move(watcher); }
+
   /// Obeys the next line of the program. After M112 nothing is obeyed.
   void play(std::string_view line);
 
@@ -45,6 +50,7 @@ class GcodePlayer {
   void pass_time(Moment deadline);
   void refuse(std::string_view line, std::string_view why);
 
+  Watcher watcher_;
   Machine machine_;
   Executor executor_;
   Moment now_{0};

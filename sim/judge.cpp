@@ -198,7 +198,7 @@ JudgedLayer judge_layer_over(const std::optional<PixelImage>& below,
   const PixelFrame frame = PixelFrame::over(area_of(beads, contours), options.pixel);
   PixelImage deposit(frame);
   for (const ExtrudedSegment& bead : beads) deposit.draw_capsule(bead.a, bead.b, bead.width);
-  PixelImage support = deposit;
+  const PixelImage laid = deposit;
   const double pixel_mm2 = options.pixel * options.pixel;
   const auto speck = static_cast<std::int64_t>(std::ceil(options.speck_mm2 / pixel_mm2));
   LayerVerdict verdict;
@@ -247,9 +247,10 @@ JudgedLayer judge_layer_over(const std::optional<PixelImage>& below,
     verdict.void_side = cell.side * options.pixel;
     verdict.void_place = cell.middle;
   }
+  PixelImage support = laid;
   support |= voids;
   deposit |= voids;
-  return {std::move(verdict), solid, std::move(deposit), std::move(support)};
+  return {std::move(verdict), solid, laid, std::move(deposit), std::move(support)};
 }
 
 LayerVerdict judge_layer(std::span<const ExtrudedSegment> beads, const Contours& contours,

@@ -84,6 +84,7 @@ struct LayerVerdict {
 struct JudgedLayer {
   LayerVerdict verdict;
   PixelImage wanted;   ///< The islands.
+  PixelImage laid;     ///< All that was laid, stray material included.
   PixelImage shape;    ///< D, its voids filled, without stray material.
   PixelImage support;  ///< All that was laid, voids filled.
 };

@@ -13,6 +13,11 @@ void PrintJudge::keep_ledgers(PrintLedger printed, PrintLedger wanted) {
   wanted_ = std::move(wanted);
 }
 
+void PrintJudge::show_to(Watcher watcher) {
+  SLIPSTICK_CHECK(beads_.empty() && verdict_.layers == 0);
+  watcher_ = std::move(watcher);
+}
+
 void PrintJudge::add(const ExtrudedSegment& bead) {
   if (!beads_.empty() && std::abs(bead.z - beads_.front().z) > Deposit::kSameZ) judge();
   beads_.push_back(bead);
@@ -80,6 +85,7 @@ void PrintJudge::judge() {
   verdict_.top = first.z;
   verdict_.height_max = std::max(verdict_.height_max, first.height);
   traces_.push_back({first.z, first.height, judged->verdict.void_side, judged->verdict.void_place});
+  if (watcher_) watcher_(verdict_.layers, first.z, *judged);
   note(judged->verdict);
   if (printed_) printed_->add(judged->shape);
   if (wanted_) wanted_->add(judged->wanted);

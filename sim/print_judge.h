@@ -59,12 +59,18 @@ class PrintJudge {
   /// is none.
   using ContoursOf = std::function<std::optional<Contours>(double z, double height)>;
 
+  /// Gets every layer as it is judged: its number and its top, mm.
+  using Watcher = std::function<void(int layer, double top, const JudgedLayer&)>;
+
   explicit PrintJudge(ContoursOf contours_of, const JudgeOptions& options = {})
       : contours_of_(std::move(contours_of)), options_(options) {}
 
   /// Lets it count what was printed and what was wanted, too. Each ledger is for pixels of
   /// `JudgeOptions`. \pre No bead has come.
   void keep_ledgers(PrintLedger printed, PrintLedger wanted);
+
+  /// Lets `watcher` see the layers. \pre No bead has come.
+  void show_to(Watcher watcher);
 
   /// Takes the next bead. One at another z ends the layer before it.
   void add(const ExtrudedSegment& bead);
@@ -87,6 +93,7 @@ class PrintJudge {
 
   ContoursOf contours_of_;
   JudgeOptions options_;
+  Watcher watcher_;
   std::vector<ExtrudedSegment> beads_;
   std::optional<PixelImage> below_;
   std::optional<PrintLedger> printed_;

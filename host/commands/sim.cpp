@@ -12,6 +12,8 @@
 #include "host/gcode_judge_report.h"
 #include "host/interrupt.h"
 #include "host/options.h"
+#include "host/outputs/curves_picture.h"
+#include "host/outputs/deposit_picture.h"
 #include "sim/faults/fault_names.h"
 #include "sim/pty_server.h"
 #include "sim/sim_transport.h"
@@ -29,6 +31,9 @@ struct SimCommand {
   ModelOptions against;
   SlicingOptions slicing;
   bool json = false;
+  std::string picture;
+  int picture_layer = -1;
+  std::string curves;
 };
 
 std::map<std::string, std::string> options_of(const SimCommand& command) {
@@ -69,6 +74,42 @@ CommandResult run_sim(const SimCommand& command) {
   return 0;
 }
 
+/// The pictures that were asked for.
+class Drawings {
+ public:
+  explicit Drawings(const SimCommand& command)
+      : command_(command),
+        picture_(command.picture_layer < 0 ? std::nullopt : std::optional(command.picture_layer)) {}
+
+  /// What they are drawn from. \pre This stays where it is.
+  GcodeWatch watch() {
+    GcodeWatch watch;
+    if (!command_.picture.empty()) {
+      watch.layers = [this](int layer, double top, const JudgedLayer& judged) {
+        picture_.see(layer, top, judged);
+      };
+    }
+    if (!command_.curves.empty()) {
+      watch.machine = [this](Moment now, const Machine& machine) { curves_.see(now, machine); };
+      watch.moves = [this](const ExecutedMove& move) { curves_.add(move); };
+    }
+    return watch;
+  }
+
+  Result<void> write(const GcodeVerdict& verdict) const {
+    if (!command_.picture.empty()) {
+      const auto drawn = picture_.write_to(command_.picture, verdict.print.defects);
+      if (!drawn) return drawn;
+    }
+    return command_.curves.empty() ? Result<void>() : draw_curves(curves_, command_.curves);
+  }
+
+ private:
+  const SimCommand& command_;
+  DepositPicture picture_;
+  Curves curves_;
+};
+
 CommandResult run_judge(const SimCommand& command) {
   const auto request = command.slicing.request(SliceGoal::kContours);
   if (!request) return fail(request.error());
@@ -78,8 +119,10 @@ CommandResult run_judge(const SimCommand& command) {
   const auto placed =
       place_on_bed(*loaded->model, command.against.placement(), {bed.x / 2, bed.y / 2});
   if (!placed) return fail(placed.error().within(loaded->name));
-  const auto verdict = judge_gcode(command.gcode, *placed, request->settings);
+  Drawings drawings(command);
+  const auto verdict = judge_gcode(command.gcode, *placed, request->settings, drawings.watch());
   if (!verdict) return fail(verdict.error());
+  if (const auto ok = drawings.write(*verdict); !ok) return fail(ok.error());
   const auto report = gcode_judge_report(*verdict, request->settings);
   fmt::print("{}", command.json ? report.dump(2) + "\n" : gcode_judge_text(*verdict));
   if (!command.slicing.report.empty()) {
@@ -112,6 +155,16 @@ void add_sim_command(CLI::App& app, ChosenCommand& run) {
   gcode->needs(against)->excludes(pty)->excludes(tcp);
   against->needs(gcode);
   sub->add_flag("--json", command->json, "print the verdict as JSON");
+  auto* picture = sub->add_option(
+      "--picture", command->picture,
+      "draw what was laid over what was wanted, as .png or .svg: the first wrong layer");
+  picture->needs(gcode);
+  sub->add_option("--picture-layer", command->picture_layer, "draw this layer, from 0")
+      ->check(CLI::NonNegativeNumber)
+      ->needs(picture);
+  sub->add_option("--curves", command->curves,
+                  "draw temperatures and speeds over time, as .svg or .png")
+      ->needs(gcode);
   command->against.add_to(*sub);
   command->slicing.add_to(*sub);
   sub->footer(

@@ -52,7 +52,7 @@ Printed print_with(const std::string& fault) {
   SimTransport sim(sim_options(address).value(),
                    [&places](const ExecutedMove& move) { places.push_back(move.to.xyz()); });
   Job job;
-  auto outcome = stream_job(sim, sim.clock(), job, Pace::kVirtual);
+  auto outcome = stream_job(sim, sim.clock(), job, {Pace::kVirtual, {}});
   sim.run_down(std::chrono::minutes(1));
   const Machine& machine = sim.printer().machine();
   return {std::move(outcome), places, !machine.nozzle.off() || !machine.bed.off(),

@@ -1,10 +1,14 @@
 // `slipstick sim --gcode FILE --against MODEL`: defects planted in a program are reported.
+#include <cairo.h>
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstring>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
@@ -38,14 +42,33 @@ class Bench {
 
   /// What the judge prints as JSON on `program`, and its exit status.
   test::Finished judge(const Program& program) const {
-    std::ofstream out(gcode_);
-    for (const std::string& line : program) out << line << '\n';
-    out.close();
+    write(program);
     return test::slipstick(
         {"sim", "--gcode", gcode_, "--against", model_, "--layer-height", "0.3", "--json"});
   }
 
+  /// The same, and draws by `words`. What the library of fonts keeps until the end is not ours.
+  test::Finished draw(const Program& program, const std::vector<std::string>& words) const {
+    write(program);
+    std::vector<std::string> all{"/usr/bin/env",   "ASAN_OPTIONS=detect_leaks=0",
+                                 SLIPSTICK_BINARY, "sim",
+                                 "--gcode",        gcode_,
+                                 "--against",      model_,
+                                 "--layer-height", "0.3"};
+    all.insert(all.end(), words.begin(), words.end());
+    return test::run(all);
+  }
+
+  [[nodiscard]] std::string file(const char* name) const {
+    return (folder_.path() / name).string();
+  }
+
  private:
+  void write(const Program& program) const {
+    std::ofstream out(gcode_);
+    for (const std::string& line : program) out << line << '\n';
+  }
+
   test::TemporaryFolder folder_;
   std::string model_ = (folder_.path() / "tubes.lua").string();
   std::string gcode_ = (folder_.path() / "tubes.gcode").string();
@@ -172,6 +195,74 @@ TEST_CASE("The judge finds a layer that was left out below the top") {
   REQUIRE(left_out != defects.end());
   CHECK((*left_out)["layer"] == 5);
   CHECK((*left_out)["z"].get<double>() == Approx(1.7));  // The first is 0.2 mm, five of 0.3 follow.
+}
+
+namespace {
+
+/// How many pixels of the picture have each colour.
+std::map<std::uint32_t, int> colours_of(const std::string& png) {
+  std::map<std::uint32_t, int> count;
+  cairo_surface_t* image = cairo_image_surface_create_from_png(png.c_str());
+  REQUIRE(cairo_surface_status(image) == CAIRO_STATUS_SUCCESS);
+  const unsigned char* bytes = cairo_image_surface_get_data(image);
+  for (int row = 0; row < cairo_image_surface_get_height(image); ++row) {
+    for (int column = 0; column < cairo_image_surface_get_width(image); ++column) {
+      std::uint32_t colour = 0;
+      std::memcpy(&colour, bytes + row * cairo_image_surface_get_stride(image) + 4 * column, 4);
+      ++count[colour & 0xFFFFFF];
+    }
+  }
+  cairo_surface_destroy(image);
+  return count;
+}
+
+constexpr std::uint32_t kRight = 0x5B7FB4, kTooMuch = 0xD03030;
+
+}  // namespace
+
+TEST_CASE("A picture shows what was laid right and what too much, of the first wrong layer") {
+  const Bench bench;
+  Program program = bench.program();
+  plant(program, 4, bead(130, 110, 140, 110));
+  const std::string wrong = bench.file("wrong.png"), chosen = bench.file("chosen.png");
+
+  CHECK(bench.draw(program, {"--picture", wrong}).status == 1);
+  CHECK(bench.draw(program, {"--picture", chosen, "--picture-layer", "3"}).status == 1);
+
+  auto colours = colours_of(wrong), of_another = colours_of(chosen);
+  CHECK(colours[kRight] > 10'000);
+  CHECK(colours[kTooMuch] > 2'000);  // 4.7 mm² of a picture 41 mm across, 1000 pixels.
+  CHECK(of_another[kRight] > 10'000);
+  CHECK(of_another[kTooMuch] < 1'000);
+}
+
+TEST_CASE("Temperatures and speeds over time are drawn") {
+  const Bench bench;
+  const std::string curves = bench.file("curves.svg");
+
+  const auto done = bench.draw(bench.program(), {"--curves", curves});
+  const auto refused = bench.draw(bench.program(), {"--curves", bench.file("curves.txt")});
+
+  INFO(done.err);
+  CHECK(done.status == 0);
+  std::stringstream text;
+  text << std::ifstream(curves).rdbuf();
+  CHECK(text.str().find("<svg") != std::string::npos);
+  CHECK(text.str().size() > 10'000);
+  CHECK(refused.status == 1);
+  CHECK(refused.err.find("curves are .svg or .png") != std::string::npos);
+}
+
+TEST_CASE("A picture of no known form, or of a layer that is not there, is refused") {
+  const Bench bench;
+  const auto form = bench.draw(bench.program(), {"--picture", bench.file("a.txt")});
+  const auto layer =
+      bench.draw(bench.program(), {"--picture", bench.file("a.png"), "--picture-layer", "99"});
+
+  CHECK(form.status == 1);
+  CHECK(form.err.find("a picture is .png or .svg") != std::string::npos);
+  CHECK(layer.status == 1);
+  CHECK(layer.err.find("there is no layer 99") != std::string::npos);
 }
 
 TEST_CASE("A program that ends too early, or lays nothing, is wrong and says so") {
