@@ -59,35 +59,43 @@ std::optional<LayerMark> JournalledPrint::first_layer() const {
   return content_ ? point_.layer : std::nullopt;
 }
 
-Result<LineSource*> JournalledPrint::begin(LineSource& source, StreamOptions& options) {
+Result<LineSource*> JournalledPrint::begin(LineSource& source, const Clock& clock,
+                                           StreamOptions& options) {
   if (!header_ && !content_) return &source;
   if (point_.layer) {
     lines_.emplace(source, point_.layer->line, PrintStateTracker(point_.layer->state));
   } else {
     lines_.emplace(source);
   }
-  if (header_) {
-    // Motors that are switched off because nobody prints for two minutes lose their place.
-    options.first = {*Line::make("M84 S0")};
-    return &*lines_;
+  // Motors that are switched off because nobody prints for two minutes lose their place.
+  if (header_) options.first = {*Line::make("M84 S0")};
+  if (content_) {
+    if (const auto ok = go_on(options); !ok) return fail(ok.error().within(path_.string()));
   }
-  if (const auto ok = lines_->skip_to(point_.line); !ok)
-    return fail(ok.error().within(path_.string()));
+  options.listeners = {[this](const SenderEvent& event) { journal_->heard(event); },
+                       [this, &clock](SenderState, const SenderCounters& counters) {
+                         journal_->turn(counters, clock.now());
+                       }};
+  return &*lines_;
+}
+
+Result<void> JournalledPrint::go_on(StreamOptions& options) {
+  if (const auto ok = lines_->skip_to(point_.line); !ok) return fail(ok.error());
   if (!same_layer_) {
     return fail(ErrorCode::kInput,
-                fmt::format("{}: layer {} would not be what it was; take the print up with the "
-                            "version of slipstick that began it",
-                            path_.string(), point_.layer->layer));
+                fmt::format("layer {} would not be what it was; take the print up with the version "
+                            "of slipstick that began it",
+                            point_.layer->layer));
   }
   auto start = resume_start(point_, *content_, lines_->state(), *options.parking);
-  if (!start) return fail(start.error().within(path_.string()));
+  if (!start) return fail(start.error());
   options.sender = std::move(start->sender);
   options.first = std::move(start->lines);
   options.state = lines_->state();
   auto journal = Journal::go_on(path_, *content_, point_.line);
   if (!journal) return fail(journal.error());
   journal_.emplace(*std::move(journal));
-  return &*lines_;
+  return {};
 }
 
 void JournalledPrint::began(int layer, std::string_view program) {
@@ -95,14 +103,6 @@ void JournalledPrint::began(int layer, std::string_view program) {
   const auto first = first_layer();
   if (first && first->layer == layer) same_layer_ = sum == first->program;
   if (journal_ && lines_) journal_->began({layer, lines_->line(), sum, lines_->state().state()});
-}
-
-PrintControl::Listeners JournalledPrint::listeners(const Clock& clock) {
-  if (!journal_) return {};
-  return {[this](const SenderEvent& event) { journal_->heard(event); },
-          [this, &clock](SenderState, const SenderCounters& counters) {
-            journal_->turn(counters, clock.now());
-          }};
 }
 
 void JournalledPrint::ended(const Result<StreamOutcome>& outcome) {

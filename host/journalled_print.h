@@ -38,19 +38,20 @@ class JournalledPrint {
   /// The layer whose lines `begin` is to be given first; none: all lines of the print.
   [[nodiscard]] std::optional<LayerMark> first_layer() const;
 
-  /// Takes `source` to where the print goes on, and tells `options` how.
+  /// Takes `source` to where the print goes on, and tells `options` how, and who keeps the journal:
+  /// it must not outlive this, nor `clock`.
   /// \return what to send. kInput as resume_start, or if the layer is not what it was.
-  [[nodiscard]] Result<LineSource*> begin(LineSource& source, StreamOptions& options);
+  [[nodiscard]] Result<LineSource*> begin(LineSource& source, const Clock& clock,
+                                          StreamOptions& options);
 
   /// The next line is the first of `layer`, whose G-code is `program`.
   void began(int layer, std::string_view program);
 
-  /// What keeps the journal. It must not outlive this.
-  [[nodiscard]] PrintControl::Listeners listeners(const Clock& clock);
-
   void ended(const Result<StreamOutcome>& outcome);
 
  private:
+  [[nodiscard]] Result<void> go_on(StreamOptions& options);
+
   std::filesystem::path path_;
   std::optional<JournalHeader> header_;    ///< Of a new one.
   std::optional<JournalContent> content_;  ///< Of one that was cut off.

@@ -60,8 +60,8 @@ tl::unexpected<Error> needs_consent(const JournalContent& journal, std::uint64_t
       ErrorCode::kInput,
       fmt::format("the printer has been reset, or used by somebody else, since the print was cut "
                   "off at {}line {}. If the part still holds on the bed and the nozzle is still at "
-                  "its height, add --recover: the nozzle heats up where it is, lifts, X and Y are "
-                  "homed, and the print goes on {} lines before",
+                  "its height, it can be recovered (--recover): the nozzle heats up where it is, "
+                  "lifts, X and Y are homed, and the print goes on {} lines before",
                   where, line, kUnderWay));
 }
 

@@ -38,6 +38,7 @@ class Stream {
         source_(source),
         pace_(options.pace),
         control_(control),
+        listeners_(options.listeners),
         output_(transport, clock),
         pause_(options.parking, options.state, options.first),
         began_(clock.now()),
@@ -50,6 +51,7 @@ class Stream {
       if (const auto ok = write(); !ok) return out_of_reach(ok.error());
       const SenderState state = sender_.state();
       control_.tell(state, sender_.counters());
+      if (listeners_.on_progress) listeners_.on_progress(state, sender_.counters());
       if (state == SenderState::kDone) break;
       if (state == SenderState::kHalted || state == SenderState::kLost) return given_up();
       if (stop_deadline_ && clock_.now() > *stop_deadline_) sender_.abandon("it does not stop");
@@ -196,6 +198,7 @@ class Stream {
   void take_events() {
     for (const SenderEvent& event : sender_.take_events()) {
       control_.tell(event);
+      if (listeners_.on_event) listeners_.on_event(event);
       if (const auto* firmware = std::get_if<FirmwareSeen>(&event)) {
         outcome_.firmware = firmware->name;
       } else if (const auto* message = std::get_if<MessageSeen>(&event)) {
@@ -211,6 +214,7 @@ class Stream {
   LineSource& source_;
   const Pace pace_;
   const PrintControl& control_;
+  const PrintControl::Listeners listeners_;
   OutputQueue output_;
   Pause pause_;
   const Moment began_;

@@ -20,6 +20,9 @@ inline constexpr std::string_view kEndWait = "M108\n";
 /// handler. Marlin takes unnumbered lines at any time.
 inline constexpr std::string_view kSafeStopBytes = "\nM108\nM104 S0\nM140 S0\nM107\nM84\n";
 
+/// Heaters and fan off; the motors keep their power, and with it their place.
+inline constexpr std::string_view kCoolDownBytes = "\nM108\nM104 S0\nM140 S0\nM107\nM84 S0\n";
+
 /// The same as bytes for a printer whose count of lines is not known: an M110 begins a new count,
 /// so that what a bad wire makes of the commands is refused rather than executed.
 [[nodiscard]] std::string numbered_safe_stop();

@@ -161,11 +161,10 @@ class PrintRun {
 
   Result<void> stream(LineSource& source) {
     StreamOptions options{.pace = link_->pace, .parking = parking_place(request_.settings)};
-    const auto lines = journal_.begin(source, options);
+    const auto lines = journal_.begin(source, *link_->clock, options);
     if (!lines) return fail(lines.error());
     Interrupt::pause_by_terminal();
-    const PrintControl control(journal_.listeners(*link_->clock));
-    const auto outcome = stream_job(*link_->transport, *link_->clock, **lines, options, control);
+    const auto outcome = stream_job(*link_->transport, *link_->clock, **lines, options);
     journal_.ended(outcome);
     if (!outcome) return fail(outcome.error());
     outcome_ = *outcome;
@@ -214,6 +213,9 @@ class PrintRun {
 
 // The command line that a journal tells.
 Result<std::shared_ptr<PrintCommand>> command_of(const JournalHeader& header) {
+  if (header.words.empty()) {
+    return fail(ErrorCode::kInput, "a daemon keeps this journal; take the print up on its page");
+  }
   const auto command = std::make_shared<PrintCommand>();
   CLI::App app("", "slipstick");
   app.fallthrough();

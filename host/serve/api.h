@@ -24,6 +24,7 @@ namespace slipstick {
 [[nodiscard]] HttpResponse post_job(const HttpRequest& request, Services& services);
 [[nodiscard]] HttpResponse get_job(const HttpRequest& request, Services& services);
 [[nodiscard]] HttpResponse cancel_job(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse take_up_job(const HttpRequest& request, Services& services);
 
 enum class QueuePlace : std::uint8_t {
   kLast,

@@ -29,6 +29,12 @@ Json to_json(const StoredJob& job) {
           {"result", job.result.empty() ? Json() : Json::parse(job.result, nullptr, false)}};
 }
 
+Json to_json(const StoredJob& job, const Store& store) {
+  Json json = to_json(job);
+  json["can_be_taken_up"] = store.can_be_taken_up(job);
+  return json;
+}
+
 std::optional<std::int64_t> id_of(const HttpRequest& request) {
   const std::string& text = request.parameter("id");
   std::int64_t id = 0;
@@ -76,7 +82,7 @@ HttpResponse get_jobs(const HttpRequest&, Services& services) {
   const auto jobs = services.store.jobs(kListed);
   if (!jobs) return error_response(jobs.error());
   Json list = Json::array();
-  for (const StoredJob& job : *jobs) list.push_back(to_json(job));
+  for (const StoredJob& job : *jobs) list.push_back(to_json(job, services.store));
   return json_response({{"jobs", list}});
 }
 
@@ -102,7 +108,7 @@ HttpResponse get_job(const HttpRequest& request, Services& services) {
   if (!id) return no_such_job();
   const auto job = services.store.job(*id);
   if (!job) return error_response(job.error());
-  return *job ? json_response(to_json(**job)) : no_such_job();
+  return *job ? json_response(to_json(**job, services.store)) : no_such_job();
 }
 
 HttpResponse cancel_job(const HttpRequest& request, Services& services) {
@@ -118,6 +124,25 @@ HttpResponse cancel_job(const HttpRequest& request, Services& services) {
   const auto job = services.store.job(*id);
   if (!job) return error_response(job.error());
   return *job ? error_response(409, "the job is over") : no_such_job();
+}
+
+HttpResponse take_up_job(const HttpRequest& request, Services& services) {
+  const auto id = id_of(request);
+  if (!id) return no_such_job();
+  const Json json =
+      request.body.empty() ? Json::object() : Json::parse(request.body, nullptr, false);
+  const bool fits = json.is_object() && json.size() == json.count("recover") &&
+                    json.value("recover", Json(false)).is_boolean();
+  if (!fits) return error_response(400, "the body is empty or {\"recover\": true or false}");
+  const auto job = services.store.job(*id);
+  if (!job) return error_response(job.error());
+  if (!*job) return no_such_job();
+  if (!services.store.can_be_taken_up(**job)) {
+    return error_response(409, "this print was not cut off, or its bed was cleared");
+  }
+  const Consent consent = json.value("recover", false) ? Consent::kRecover : Consent::kNone;
+  if (services.printer.take_up(*id, consent)) return empty_response();
+  return error_response(409, "a print is under way");
 }
 
 }  // namespace slipstick

@@ -2,7 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "drivers/transport_address.h"
 #include "host/file_lines.h"
+#include "host/journalled_print.h"
 #include "host/layer_lines.h"
 #include "host/pause.h"
 #include "host/print_watch.h"
@@ -53,12 +55,14 @@ Json sim_json(const PrintVerdict& verdict) {
 
 class TaskRun {
  public:
-  TaskRun(const PrintTask& task, const PrintControl& control, const TaskListeners& listeners)
-      : task_(task), control_(control), listeners_(listeners) {}
+  TaskRun(const PrintTask& task, JournalledPrint& journal, const PrintControl& control,
+          const TaskListeners& listeners)
+      : task_(task), journal_(journal), control_(control), listeners_(listeners) {}
 
   Result<std::string> run() {
     const auto settings = load_settings(task_.spec.settings);
     if (!settings) return fail(settings.error());
+    if (const auto ok = journal_.identify(task_.path, *settings); !ok) return fail(ok.error());
     watch_.emplace(settings->printer.filament_diameter, settings->slicing.sampling);
     const auto done = task_.is_gcode ? print_file(*settings) : print_model();
     if (!done) return fail(done.error());
@@ -76,47 +80,70 @@ class TaskRun {
     CountedLines lines(**file, [&](std::int64_t line) {
       listeners_.on_completion(std::min(double(line - 1) / total, 1.0));
     });
+    if (const auto ok = connect(settings.printer); !ok) return ok;
     return stream(lines, settings);
   }
 
   Result<void> print_model() {
     const auto prepared = prepare_model(task_.path, task_.name, task_.spec, SliceGoal::kToolpaths);
     if (!prepared) return fail(prepared.error());
-    auto job = SlicingJob::start(prepared->placed, prepared->request);
+    SlicingRequest request = prepared->request;
+    if (journal_.resumes()) {
+      if (const auto ok = connect(request.settings.printer); !ok) return ok;
+    }
+    const auto& cut_off = journal_.first_layer();
+    if (cut_off) request.first_layer = cut_off->layer;
+    auto job = SlicingJob::start(prepared->placed, request);
     if (!job) return fail(job.error().within(task_.name));
-    const int first = (*job)->first_layer();
+    const int first = prepared->request.first_layer;
     listeners_.on_start((*job)->end_layer() - first);
-    LayerLines lines(**job, prepared->request.settings, [&](const SlicedLayer& layer) {
+    const auto on_layer = [&](const SlicedLayer& layer) {
       watch_->expect(layer);
+      journal_.began(layer.index, layer.program->text);
       listeners_.on_layer(layer.index - first + 1, layer.top);
-    });
-    if (const auto ok = stream(lines, prepared->request.settings); !ok) return ok;
+    };
+    LayerLines lines(**job, request.settings, on_layer,
+                     cut_off ? LayerLines::Beginning::kLayer : LayerLines::Beginning::kStart);
+    if (!link_) {
+      if (const auto ok = connect(request.settings.printer); !ok) return ok;
+    }
+    if (const auto ok = stream(lines, request.settings); !ok) return ok;
     report_["layers"] = (*job)->totals().layers;
     report_["violations"] = (*job)->totals().violations;
     report_["filament_mm"] = (*job)->totals().filament_mm;
     return {};
   }
 
-  Result<void> stream(LineSource& lines, const PrintSettings& settings) {
-    auto link = open_printer(task_.port, settings.printer.bed_size, watch_->sink());
+  Result<void> connect(const PrinterSettings& printer) {
+    auto link = open_printer(task_.port, printer.bed_size, watch_->sink());
     if (!link) return fail(link.error());
-    const auto outcome = stream_job(*link->transport, *link->clock, lines,
-                                    {link->pace, parking_place(settings)}, control_);
+    link_ = std::move(*link);
+    return journal_.find(*link_->transport, *link_->clock);
+  }
+
+  Result<void> stream(LineSource& source, const PrintSettings& settings) {
+    StreamOptions options{link_->pace, parking_place(settings)};
+    const auto lines = journal_.begin(source, *link_->clock, options);
+    if (!lines) return fail(lines.error());
+    const auto outcome = stream_job(*link_->transport, *link_->clock, **lines, options, control_);
+    journal_.ended(outcome);
     if (!outcome) return fail(outcome.error());
     report_["lines"] = outcome->counters.lines_acknowledged;
     report_["resends"] = outcome->counters.resends;
     report_["starved_seconds"] = outcome->starved_seconds;
     report_["seconds"] = outcome->seconds;
-    if (link->sim == nullptr) return {};
-    link->sim->run_down(kRunDownMax);
+    if (link_->sim == nullptr) return {};
+    link_->sim->run_down(kRunDownMax);
     report_["sim"] = sim_json(watch_->finish());
     return {};
   }
 
   const PrintTask& task_;
+  JournalledPrint& journal_;
   const PrintControl& control_;
   const TaskListeners& listeners_;
   std::optional<PrintWatch> watch_;
+  std::optional<PrinterLink> link_;
   Json report_;
 };
 
@@ -124,7 +151,19 @@ class TaskRun {
 
 Result<std::string> run_print_task(const PrintTask& task, const PrintControl& control,
                                    const TaskListeners& listeners) {
-  return TaskRun(task, control, listeners).run();
+  if (task.take_up) {
+    auto content = read_journal(task.journal);
+    if (!content) return fail(content.error());
+    JournalledPrint journal(task.journal, *std::move(content), *task.take_up);
+    return TaskRun(task, journal, control, listeners).run();
+  }
+  const auto address = parse_transport_address(task.port);
+  if (address && address->kind == TransportKind::kSim) {
+    JournalledPrint none;
+    return TaskRun(task, none, control, listeners).run();
+  }
+  JournalledPrint journal(task.journal, JournalHeader{});
+  return TaskRun(task, journal, control, listeners).run();
 }
 
 }  // namespace slipstick

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "host/print_control.h"
+#include "host/resume_point.h"
 #include "host/serve/job_spec.h"
 #include "host/serve/store.h"
 
@@ -16,6 +19,8 @@ struct PrintTask {
   bool is_gcode = false;
   JobSpec spec;
   std::string port;
+  std::filesystem::path journal;   ///< Where it is kept; of a printer inside this program, none.
+  std::optional<Consent> take_up;  ///< The print was cut off: go on with it.
 };
 
 /// How a task tells how far it is; called by the printing thread.
@@ -27,7 +32,8 @@ struct TaskListeners {
 
 /// Prints it, from the file to the last acknowledged line. A G-code file is read through before its
 /// first line is sent, so that no print ends at a line that no printer could take.
-/// \return what was printed, as JSON: lines, resends, and of a simulated printer what it laid down.
+/// \return kInput if it cannot be taken up, or not without consent, as resume_point. Otherwise what
+/// was printed, as JSON: lines, resends, and of a simulated printer what it laid down.
 [[nodiscard]] Result<std::string> run_print_task(const PrintTask& task, const PrintControl& control,
                                                  const TaskListeners& listeners);
 

@@ -39,7 +39,7 @@ Result<std::unique_ptr<PrinterWorker>> PrinterWorker::start(Options options, Sta
   std::unique_ptr<PrinterWorker> worker(
       new PrinterWorker(std::move(options), std::move(*store), board, events));
   if (*interrupted > 0) {
-    const auto told = tell_printer(worker->options_.port, kSafeStopBytes);
+    const auto told = tell_printer(worker->options_.port, kCoolDownBytes);
     if (!told)
       spdlog::error("a print was cut off; its heaters may be on: {}", told.error().message);
   }
@@ -92,6 +92,22 @@ Result<void> PrinterWorker::emergency_stop() {
   return {};
 }
 
+bool PrinterWorker::take_up(std::int64_t id, Consent consent) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (control_) return false;
+    take_up_ = TakingUp{id, consent};
+    look_again_ = true;
+  }
+  changed_.notify_all();
+  return true;
+}
+
+std::optional<PrinterWorker::TakingUp> PrinterWorker::asked_to_take_up() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(take_up_, std::nullopt);
+}
+
 void PrinterWorker::run() {
   const auto occupied = store_.bed_occupied();
   reporter_.bed(occupied && *occupied);
@@ -114,6 +130,7 @@ bool PrinterWorker::wait_for_work() {
 
 // False if there is nothing to be printed now.
 Result<bool> PrinterWorker::print_next() {
+  if (const auto what = asked_to_take_up()) return print_again(*what);
   const auto occupied = store_.bed_occupied();
   if (!occupied) return fail(occupied.error());
   reporter_.bed(*occupied);
@@ -126,7 +143,7 @@ Result<bool> PrinterWorker::print_next() {
   if (!control) return false;
   const auto claimed = store_.claim_job((*job)->id, unix_now());
   if (claimed && *claimed) {
-    print(**job);
+    print(**job, std::nullopt);
   } else {
     over();
   }
@@ -135,9 +152,28 @@ Result<bool> PrinterWorker::print_next() {
   return !stopping_;
 }
 
-void PrinterWorker::print(const StoredJob& job) {
+// A print that cannot be taken up is still what it was: it may be tried in another way.
+Result<bool> PrinterWorker::print_again(const TakingUp& what) {
+  const auto job = store_.job(what.job);
+  if (!job) return fail(job.error());
+  if (!*job || !begin(what.job)) return false;
+  const auto claimed = store_.claim_again(what.job);
+  if (claimed && *claimed) {
+    print(**job, what.consent);
+  } else {
+    over();
+  }
+  if (!claimed) return fail(claimed.error());
+  const std::lock_guard lock(mutex_);
+  return !stopping_;
+}
+
+void PrinterWorker::print(const StoredJob& job, std::optional<Consent> take_up) {
   reporter_.job_began(job.id, job.file_name);
-  const Store::Ending came_to = ending(printed(job));
+  const auto came = printed(job, take_up);
+  const bool refused = take_up && !came && came.error().code == ErrorCode::kInput;
+  const Store::Ending came_to =
+      refused ? Store::Ending{JobState::kInterrupted, came.error().message, ""} : ending(came);
   const bool stopped =
       over() == PrintControl::Wish::kEmergencyStop || came_to.state == JobState::kFailed;
   if (const auto ok = store_.end_job(job.id, came_to, unix_now()); !ok) {
@@ -147,13 +183,18 @@ void PrinterWorker::print(const StoredJob& job) {
                       came_to.message);
 }
 
-Result<std::string> PrinterWorker::printed(const StoredJob& job) {
+Result<std::string> PrinterWorker::printed(const StoredJob& job, std::optional<Consent> take_up) {
   const auto spec = job_spec_from_text(job.spec, options_.defaults);
   if (!spec) return fail(spec.error());
   const auto name = FileName::from(job.file_name);
   if (!name) return fail(name.error());
-  const PrintTask task{store_.path_of(job.file, job.extension).string(), job.file_name,
-                       name->is_gcode(), *spec, options_.port};
+  const PrintTask task{store_.path_of(job.file, job.extension).string(),
+                       job.file_name,
+                       name->is_gcode(),
+                       *spec,
+                       options_.port,
+                       store_.journal_of(job.id),
+                       take_up};
   return run_print_task(task, *current(),
                         {[this](int layers) { reporter_.job_is_of(layers); },
                          [this](int layer, double height) { reporter_.layer_began(layer, height); },

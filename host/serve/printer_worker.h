@@ -4,9 +4,11 @@
 #include <filesystem>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 
+#include "host/resume_point.h"
 #include "host/serve/job_spec.h"
 #include "host/serve/status_reporter.h"
 #include "host/serve/store.h"
@@ -26,7 +28,7 @@ class PrinterWorker {
   };
 
   /// Recovers the store and begins. If a print was cut off by the end of an earlier process, the
-  /// printer is made safe first.
+  /// printer is told to cool down first; its motors keep their power, so that it can be taken up.
   /// \return kUnavailable if the store cannot be opened.
   [[nodiscard]] static Result<std::unique_ptr<PrinterWorker>> start(Options options,
                                                                     StatusBoard& board,
@@ -43,6 +45,8 @@ class PrinterWorker {
   bool pause();
   bool resume();
   bool cancel(std::int64_t id);
+  /// Goes on with the print of job `id`, which was cut off. \return whether the printer is free.
+  bool take_up(std::int64_t id, Consent consent);
   /// Kills the printer, whether it prints or not. \return why it could not be told.
   [[nodiscard]] Result<void> emergency_stop();
 
@@ -50,8 +54,14 @@ class PrinterWorker {
   PrinterWorker(Options options, Store store, StatusBoard& board, EventLog& events);
   void run();
   [[nodiscard]] Result<bool> print_next();
-  void print(const StoredJob& job);
-  [[nodiscard]] Result<std::string> printed(const StoredJob& job);
+  struct TakingUp {
+    std::int64_t job = 0;
+    Consent consent = Consent::kNone;
+  };
+  [[nodiscard]] std::optional<TakingUp> asked_to_take_up();
+  [[nodiscard]] Result<bool> print_again(const TakingUp& what);
+  void print(const StoredJob& job, std::optional<Consent> take_up);
+  [[nodiscard]] Result<std::string> printed(const StoredJob& job, std::optional<Consent> take_up);
   [[nodiscard]] Store::Ending ending(const Result<std::string>& printed);
   [[nodiscard]] std::shared_ptr<PrintControl> begin(std::int64_t id);
   PrintControl::Wish over();
@@ -66,6 +76,7 @@ class PrinterWorker {
   std::condition_variable changed_;
   std::shared_ptr<PrintControl> control_;  ///< Of the job under way.
   std::int64_t job_ = 0;
+  std::optional<TakingUp> take_up_;
   bool look_again_ = true;
   bool stopping_ = false;
 

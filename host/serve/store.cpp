@@ -34,6 +34,11 @@ constexpr std::array<std::string_view, 4> kMigrations{
     "CREATE TABLE printer (id INTEGER PRIMARY KEY CHECK (id = 1), "
     "bed_occupied INTEGER NOT NULL, selected TEXT NOT NULL) STRICT"};
 
+// Whose bytes are wanted: what is to be printed, and what was cut off and still lies on the bed.
+const std::string kWanted =
+    "(SELECT file FROM jobs WHERE state IN ('queued', 'printing') OR "
+    "(state IN ('interrupted', 'failed') AND started = (SELECT max(started) FROM jobs) "
+    "AND (SELECT bed_occupied FROM printer) = 1))";
 const std::string kFileColumns = "SELECT id, name, extension, size, created FROM files ";
 
 StoredFile file_of(const SqlRow& row) {
@@ -73,7 +78,8 @@ void remove_all_but(const std::set<fs::path>& kept, const fs::path& folder) {
 }  // namespace
 
 Result<Store> Store::open(const fs::path& folder) {
-  for (const fs::path& each : {folder, folder / "files", folder / "incoming"}) {
+  for (const fs::path& each :
+       {folder, folder / "files", folder / "incoming", folder / "journals"}) {
     if (const auto ok = make_folder(each); !ok) return fail(ok.error());
   }
   auto database = Database::open(folder / "slipstick.db");
@@ -116,9 +122,8 @@ Result<int> Store::recover(std::int64_t now) {
 }
 
 Result<void> Store::sweep() {
-  const auto rows = database_.query(
-      "SELECT id, extension FROM files WHERE current = 1 OR id IN "
-      "(SELECT file FROM jobs WHERE state IN ('queued', 'printing'))");
+  const auto rows =
+      database_.query("SELECT id, extension FROM files WHERE current = 1 OR id IN " + kWanted);
   if (!rows) return fail(rows.error());
   std::set<fs::path> kept;
   for (const SqlRow& row : *rows) kept.insert(path_of(row.integer(0), row.text(1)));
@@ -128,6 +133,23 @@ Result<void> Store::sweep() {
 
 fs::path Store::incoming(std::string_view name) const {
   return folder_ / "incoming" / name;
+}
+
+fs::path Store::journal_of(std::int64_t job) const {
+  return folder_ / "journals" / fmt::format("{}.journal", job);
+}
+
+bool Store::can_be_taken_up(const StoredJob& job) const {
+  std::error_code ignored;
+  const bool cut_off = job.state == JobState::kInterrupted || job.state == JobState::kFailed;
+  return cut_off && fs::exists(journal_of(job.id), ignored);
+}
+
+Result<void> Store::clear_bed() {
+  const auto changed = database_.change("UPDATE printer SET bed_occupied = 0");
+  if (!changed) return fail(changed.error());
+  remove_all_but({}, folder_ / "journals");
+  return {};
 }
 
 fs::path Store::path_of(std::int64_t file, std::string_view extension) const {
@@ -194,8 +216,8 @@ Result<bool> Store::remove_file(std::string_view name) {
 }
 
 void Store::discard(const StoredFile& file) {
-  const auto wanting = database_.query(
-      "SELECT 1 FROM jobs WHERE file = ?1 AND state IN ('queued', 'printing') LIMIT 1", {file.id});
+  const auto wanting =
+      database_.query("SELECT 1 FROM files WHERE id = ?1 AND id IN " + kWanted, {file.id});
   if (!wanting || !wanting->empty()) return;
   std::error_code ignored;
   fs::remove(path_of(file.id, file.extension), ignored);

@@ -48,10 +48,12 @@ struct StoredJob {
 ///
 ///     slipstick.db          the database; its schema is in store.cpp
 ///     files/17.stl          the bytes of file 17; a file, once stored, never changes
+///     journals/5.journal    what is needed to take up the print of job 5, until the bed is clear
 ///     incoming/             uploads under way; emptied at the start
 ///
 /// A job goes from queued to printing by one committed change, and never back: nothing is printed
-/// twice. Errors of the disk are kUnavailable.
+/// twice. What was cut off goes on where it was, if somebody asks for it. Errors of the disk are
+/// kUnavailable.
 ///
 /// Threads: one; another thread opens its own.
 class Store {
@@ -93,6 +95,12 @@ class Store {
 
   /// Queued to printing; the bed is occupied from then on. \return whether it was queued.
   [[nodiscard]] Result<bool> claim_job(std::int64_t id, std::int64_t now);
+  /// Interrupted or failed to printing again, if it was the last to be printed and the bed was not
+  /// cleared. \return whether it was.
+  [[nodiscard]] Result<bool> claim_again(std::int64_t id);
+  [[nodiscard]] std::filesystem::path journal_of(std::int64_t job) const;
+  /// Whether there is what is needed to take the print of `job` up.
+  [[nodiscard]] bool can_be_taken_up(const StoredJob& job) const;
   /// Queued to cancelled. \return whether it was queued.
   [[nodiscard]] Result<bool> cancel_queued(std::int64_t id, std::int64_t now);
   struct Ending {
@@ -100,11 +108,12 @@ class Store {
     std::string message;
     std::string result;
   };
-  /// Printing to what it came to.
+  /// Printing to what it came to. The journal of a job that is done is removed.
   [[nodiscard]] Result<void> end_job(std::int64_t id, const Ending& ending, std::int64_t now);
 
   /// Whether something lies on the bed that somebody must take off before the next print.
   [[nodiscard]] Result<bool> bed_occupied();
+  /// No print can be taken up after that.
   [[nodiscard]] Result<void> clear_bed();
 
   /// The name of the file that clients which first select and then start have selected, or empty.

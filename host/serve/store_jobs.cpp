@@ -112,6 +112,16 @@ Result<bool> Store::claim_job(std::int64_t id, std::int64_t now) {
   return true;
 }
 
+Result<bool> Store::claim_again(std::int64_t id) {
+  const auto claimed = database_.change(
+      "UPDATE jobs SET state = 'printing', ended = 0, message = '' WHERE id = ?1 "
+      "AND state IN ('interrupted', 'failed') AND started = (SELECT max(started) FROM jobs) "
+      "AND (SELECT bed_occupied FROM printer) = 1",
+      {id});
+  if (!claimed) return fail(claimed.error());
+  return *claimed == 1;
+}
+
 Result<bool> Store::cancel_queued(std::int64_t id, std::int64_t now) {
   const auto changed = database_.change(
       "UPDATE jobs SET state = 'cancelled', ended = ?2, message = 'cancelled before it began' "
@@ -127,6 +137,8 @@ Result<void> Store::end_job(std::int64_t id, const Ending& ending, std::int64_t 
       "WHERE id = ?1 AND state = 'printing'",
       {id, text(ending.state), ending.message, ending.result, now});
   if (!changed) return fail(changed.error());
+  std::error_code ignored;
+  if (ending.state == JobState::kDone) std::filesystem::remove(journal_of(id), ignored);
   return forget_old_jobs();
 }
 
@@ -146,12 +158,6 @@ Result<bool> Store::bed_occupied() {
   const auto rows = database_.query("SELECT bed_occupied FROM printer");
   if (!rows) return fail(rows.error());
   return (*rows)[0].integer(0) != 0;
-}
-
-Result<void> Store::clear_bed() {
-  const auto changed = database_.change("UPDATE printer SET bed_occupied = 0");
-  if (!changed) return fail(changed.error());
-  return {};
 }
 
 Result<std::string> Store::selected() {

@@ -111,12 +111,27 @@ async function showFiles() {
     ])));
 }
 
+const RECOVER = 'The printer was reset. Does the part still hold on the bed, and is the nozzle still at its height? ' +
+  'It will heat up where it is, lift, home X and Y, and go on.';
+
+function takeUp(id, recover) {
+  if (recover && !confirm(RECOVER)) return null;
+  return attempt(() => ask('POST', `jobs/${id}/take-up`, JSON.stringify({recover})));
+}
+
+function buttonsOf({id, state, can_be_taken_up: cutOff}) {
+  if (state === 'queued') {
+    return [button('Cancel', `Cancel job ${id}`, () => attempt(() => ask('POST', `jobs/${id}/cancel`)))];
+  }
+  if (!cutOff) return [];
+  return [button('Take up', `Take up job ${id}`, () => takeUp(id, false)),
+    button('After a reset', `Take up job ${id} after a reset of the printer`, () => takeUp(id, true))];
+}
+
 async function showJobs() {
   const {jobs} = await ask('GET', 'jobs');
-  $('jobs').replaceChildren(...jobs.map(({id, file, state, message}) => row(
-    [String(id), file, message ? `${state}: ${message}` : state],
-    state === 'queued' ?
-      [button('Cancel', `Cancel job ${id}`, () => attempt(() => ask('POST', `jobs/${id}/cancel`)))] : [])));
+  $('jobs').replaceChildren(...jobs.map((job) => row(
+    [String(job.id), job.file, job.message ? `${job.state}: ${job.message}` : job.state], buttonsOf(job))));
 }
 
 function queue(file, spec) {

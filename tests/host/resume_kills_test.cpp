@@ -5,17 +5,12 @@
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <fstream>
-#include <mutex>
 #include <thread>
 
-#include "core/base/check.h"
 #include "core/base/rng.h"
-#include "host/stream_job.h"
-#include "sim/pty_server.h"
-#include "sim/sim_transport.h"
 #include "tests/support/child_process.h"
 #include "tests/support/environment.h"
-#include "tests/support/spiral.h"
+#include "tests/support/live_printer.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace slipstick;
@@ -25,63 +20,10 @@ namespace {
 
 constexpr std::uint64_t kLinesPerKill = 30;  // at most, so that none comes after the end
 
-// Beads that take no time to speak of, and no heat.
-std::vector<std::string> quick_program(std::uint64_t beads) {
-  std::vector<std::string> lines{"M302 S0", "M83", "G92 E0", "G1 X100 Y100 Z0.3 F12000"};
-  for (std::uint64_t i = 0; i < beads; ++i) {
-    lines.push_back("G1 X" + std::to_string(100 + i % 2 * 3) + " Y" + std::to_string(60 + i % 89) +
-                    " E0.05");
-  }
-  return lines;
-}
-
-// A printer behind a terminal, with a life of its own.
-class LivePrinter {
- public:
-  explicit LivePrinter(const std::filesystem::path& link)
-      : server_(*PtyServer::open({link.string(), {}}, Printer({},
-                                                              [this, sink = test::into(beads_)](
-                                                                  const ExecutedMove& move) {
-                                                                const std::lock_guard lock(mutex_);
-                                                                sink(move);
-                                                              }))),
-        thread_([this](const std::stop_token& stop) { SLIPSTICK_CHECK(server_.run(stop)); }) {}
-
-  std::vector<test::Bead> beads() const {
-    const std::lock_guard lock(mutex_);
-    return beads_;
-  }
-  std::size_t count() const {
-    const std::lock_guard lock(mutex_);
-    return beads_.size();
-  }
-
- private:
-  mutable std::mutex mutex_;  // protects the beads
-  std::vector<test::Bead> beads_;
-  PtyServer server_;
-  std::jthread thread_;
-};
-
-// Starved of lines now and then, a machine is slower.
-std::vector<test::Bead> without_speed(std::vector<test::Bead> beads) {
-  for (test::Bead& bead : beads) bead.back() = 0;
-  return beads;
-}
-
-std::vector<test::Bead> expected(const std::vector<std::string>& program) {
-  std::vector<test::Bead> beads;
-  SimTransport sim(*sim_options({}), test::into(beads));
-  test::ProgramLines lines(program);
-  REQUIRE(stream_job(sim, sim.clock(), lines, {Pace::kVirtual}));
-  sim.run_down(1h);
-  return without_speed(beads);
-}
-
 class Voyage {
  public:
   Voyage(std::uint64_t seed, std::uint64_t kills)
-      : rng_(seed), kills_(kills), program_(quick_program((kills + 1) * kLinesPerKill)) {
+      : rng_(seed), kills_(kills), program_(test::quick_program((kills + 1) * kLinesPerKill)) {
     std::ofstream file(model_);
     for (const std::string& line : program_) file << line << '\n';
   }
@@ -93,7 +35,7 @@ class Voyage {
     }
     // The rest, without a disturbance; from the beginning if nothing was ever sent.
     while (begin().wait() != 0) start_again();
-    CHECK(without_speed(printed_after(20s)) == expected(program_));
+    CHECK(test::without_speed(printed_after(20s)) == test::quick_beads(program_));
     CHECK(in_the_middle_ > kills_ / 2);  // or the voyage shows nothing
   }
 
@@ -136,7 +78,7 @@ class Voyage {
   std::string port_ = (folder_.path() / "printer").string();
   std::string model_ = (folder_.path() / "a.gcode").string();
   std::string journal_ = (folder_.path() / "a.journal").string();
-  LivePrinter printer_{port_};
+  test::LivePrinter printer_{port_};
   Rng rng_;
   std::uint64_t kills_;
   std::uint64_t in_the_middle_ = 0;

@@ -70,10 +70,9 @@ class LayerBench {
         },
         first ? LayerLines::Beginning::kLayer : LayerLines::Beginning::kStart);
     StreamOptions options{Pace::kVirtual, parking_place(settings_)};
-    const auto lines = print.begin(layers, options);
+    const auto lines = print.begin(layers, sim_.clock(), options);
     if (!lines) return fail(lines.error());
-    const PrintControl control(print.listeners(sim_.clock()));
-    const auto outcome = stream_job(cable, sim_.clock(), **lines, options, control);
+    const auto outcome = stream_job(cable, sim_.clock(), **lines, options);
     print.ended(outcome);
     return outcome;
   }

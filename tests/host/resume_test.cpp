@@ -71,13 +71,11 @@ class Bench {
     if (const auto ok = print.find(cable, clock); !ok) return fail(ok.error());
     test::ProgramLines source(program_);
     StreamOptions options{Pace::kVirtual, parking_place(settings)};
-    const auto lines = print.begin(source, options);
+    const auto lines = print.begin(source, clock, options);
     if (!lines) return fail(lines.error());
-    const auto journal = print.listeners(clock);
     PrintControl* handle = nullptr;
     int turns = 0;
-    PrintControl control({journal.on_event, [&](SenderState state, const SenderCounters& counters) {
-                            journal.on_progress(state, counters);
+    PrintControl control({{}, [&](SenderState, const SenderCounters& counters) {
                             if (turns == 0 && counters.lines_sent == pause_at_) handle->pause();
                             if (handle->wish() == PrintControl::Wish::kPause &&
                                 ++turns == pause_turns_)
@@ -179,7 +177,7 @@ TEST_CASE("A printer that was reset moves and heats nothing before the user says
   const auto outcome = bench.resume(kNever);
 
   REQUIRE(!outcome);
-  CHECK_THAT(outcome.error().message, Contains("add --recover"));
+  CHECK_THAT(outcome.error().message, Contains("it can be recovered (--recover)"));
   CHECK(bench.machine().nozzle.target() == 0);
   CHECK(bench.machine().planner.statistics().moves == 0);
 }

@@ -121,7 +121,49 @@ TEST_CASE("A new upload of the same name leaves a queued job the file it was giv
   REQUIRE(*shelf.store->claim_job(job.id, 300));
   REQUIRE(shelf.store->end_job(job.id, {JobState::kFailed, "why", ""}, 400));
   REQUIRE(shelf.store->recover(500));
+  CHECK(shelf.bytes_of(old) == "old");  // it may be taken up
+  REQUIRE(shelf.store->clear_bed());
+  REQUIRE(shelf.store->recover(600));
   CHECK(shelf.bytes_of(old).empty());  // nobody wants it any more
+}
+
+TEST_CASE("Only what was cut off last, and still lies on the bed, is printed again") {
+  Shelf shelf;
+  const auto file = shelf.add("part.stl", "solid");
+  const auto first = shelf.queue(file), last = shelf.queue(file), never = shelf.queue(file);
+  REQUIRE(*shelf.store->claim_job(first.id, 300));
+  REQUIRE(shelf.store->recover(310));
+  REQUIRE(*shelf.store->claim_job(last.id, 320));
+  REQUIRE(shelf.store->end_job(last.id, {JobState::kFailed, "the cable", ""}, 330));
+
+  CHECK(*shelf.store->claim_again(first.id) == false);
+  CHECK(*shelf.store->claim_again(never.id) == false);
+  CHECK(*shelf.store->claim_again(last.id) == true);
+  CHECK(shelf.state_of(last) == JobState::kPrinting);
+  CHECK(*shelf.store->claim_again(last.id) == false);
+  REQUIRE(shelf.store->end_job(last.id, {JobState::kInterrupted, "", ""}, 340));
+  REQUIRE(shelf.store->clear_bed());
+  CHECK(*shelf.store->claim_again(last.id) == false);
+}
+
+TEST_CASE("A journal goes when its print is done or the bed is cleared") {
+  Shelf shelf;
+  const auto job = shelf.queue(shelf.add("part.stl", "solid"));
+  const auto journal = shelf.store->journal_of(job.id);
+  const auto there = [&] { return shelf.store->can_be_taken_up(**shelf.store->job(job.id)); };
+  REQUIRE(*shelf.store->claim_job(job.id, 300));
+  std::ofstream(journal) << "all of it";
+  CHECK_FALSE(there());
+  REQUIRE(shelf.store->recover(310));
+  CHECK(there());
+
+  REQUIRE(*shelf.store->claim_again(job.id));
+  REQUIRE(shelf.store->end_job(job.id, {JobState::kDone, "", ""}, 320));
+
+  CHECK_FALSE(std::filesystem::exists(journal));
+  std::ofstream(journal) << "all of it";
+  REQUIRE(shelf.store->clear_bed());
+  CHECK_FALSE(std::filesystem::exists(journal));
 }
 
 TEST_CASE("What a crash left without a row is removed at the start") {
