@@ -1,29 +1,9 @@
 #include "core/base/affine.h"
 
-#include <cmath>
-#include <numbers>
-
+#include "core/base/angle.h"
 #include "core/base/check.h"
 
 namespace slipstick {
-namespace {
-
-struct SineCosine {
-  double sine;
-  double cosine;
-};
-
-SineCosine of_degrees(double angle) {
-  const double turned = std::remainder(angle, 360.0);
-  if (turned == 0) return {0, 1};
-  if (turned == 90) return {1, 0};
-  if (turned == -90) return {-1, 0};
-  if (std::abs(turned) == 180) return {0, -1};
-  const double radians = turned * std::numbers::pi / 180;
-  return {std::sin(radians), std::cos(radians)};
-}
-
-}  // namespace
 
 Affine3 composed(const Affine3& outer, const Affine3& inner) {
   Affine3 result;
@@ -64,9 +44,9 @@ Box3 image_of(const Affine3& map, const Box3& box) {
 }
 
 Affine3 rotation_degrees(Vec3 angles) {
-  const auto [sx, cx] = of_degrees(angles.x);
-  const auto [sy, cy] = of_degrees(angles.y);
-  const auto [sz, cz] = of_degrees(angles.z);
+  const auto [cx, sx] = direction_of(angles.x);
+  const auto [cy, sy] = direction_of(angles.y);
+  const auto [cz, sz] = direction_of(angles.z);
   const Affine3 about_x{{{{1, 0, 0, 0}, {0, cx, -sx, 0}, {0, sx, cx, 0}}}};
   const Affine3 about_y{{{{cy, 0, sy, 0}, {0, 1, 0, 0}, {-sy, 0, cy, 0}}}};
   const Affine3 about_z{{{{cz, -sz, 0, 0}, {sz, cz, 0, 0}, {0, 0, 1, 0}}}};

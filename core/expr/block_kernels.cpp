@@ -6,9 +6,9 @@
 #include <limits>
 #include <numbers>
 
-#include "core/expr/elementary.h"
+#include "core/base/elementary.h"
+#include "core/base/pi_reduction.h"
 #include "core/expr/interval.h"
-#include "core/expr/pi_reduction.h"
 
 // Sizeless vectors cannot be members; 16-byte x86 vectors before SSE4.1 are all old machines have.
 #define HWY_DISABLED_TARGETS \

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/check.h"
-#include "core/expr/elementary.h"
+#include "core/base/elementary.h"
 
 namespace slipstick {
 namespace {

@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <numbers>
 
-#include "core/expr/elementary.h"
+#include "core/base/elementary.h"
 
 namespace slipstick {
 namespace {

@@ -1,6 +1,6 @@
 /// \file
 /// To be included within a namespace, once for each set of machine instructions (no guard): what is
-/// compiled for wider vectors must be defined there. Needs core/expr/pi_reduction.h.
+/// compiled for wider vectors must be defined there. Needs core/base/pi_reduction.h.
 ///
 /// Sine and cosine after reduction to an octant either side of zero, for one double or for a vector
 /// of them: `F` has + - * and unary -, `choose(mask, yes, no)`, and comparisons that give masks.

@@ -126,8 +126,8 @@ MoveWriter::Micrometres MoveWriter::rounded(Vec2 p) {
 }
 
 double MoveWriter::way(Micrometres to) const {
-  return std::hypot(static_cast<double>(to.x - at_.x), static_cast<double>(to.y - at_.y)) *
-         kMicrometre;
+  const Vec2 along{static_cast<double>(to.x - at_.x), static_cast<double>(to.y - at_.y)};
+  return length(along) * kMicrometre;
 }
 
 }  // namespace slipstick

@@ -1,9 +1,9 @@
 #include "core/toolpath/order.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "core/base/angle.h"
 
 namespace slipstick {
 namespace {
@@ -141,8 +141,7 @@ void append(std::vector<Bead>& to, std::vector<Bead>&& from) {
 
 std::vector<Bead> in_printing_order(std::vector<Bead> beads, const Outline& outline,
                                     double seam_degrees) {
-  const double radians = seam_degrees * std::numbers::pi / 180;
-  const Vec2 towards{std::cos(radians), std::sin(radians)};
+  const Vec2 towards = direction_of(seam_degrees);
   std::vector<Island> islands = islands_of(outline);
   std::vector<Bead> ordered;  // what is on no island, the skirt, comes first
   for (Bead& bead : beads) {

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
+
+#include "core/base/angle.h"
 
 namespace slipstick {
 namespace {
@@ -13,8 +14,7 @@ namespace {
 class Turned {
  public:
   Turned(const std::vector<std::vector<Vec2>>& polygons, double degrees) {
-    const double radians = degrees * std::numbers::pi / 180;
-    along_ = {std::cos(radians), std::sin(radians)};
+    along_ = direction_of(degrees);
     for (const auto& polygon : polygons) {
       polygons_.emplace_back();
       for (const Vec2 p : polygon) {

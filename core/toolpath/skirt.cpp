@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/elementary.h"
+
 namespace slipstick {
 namespace {
 
@@ -33,13 +35,13 @@ std::vector<Vec2> outwards(const std::vector<Vec2>& hull, double by) {
     const Vec2 p = hull[i];
     const Vec2 in = p - hull[(i + hull.size() - 1) % hull.size()];
     const Vec2 out = hull[(i + 1) % hull.size()] - p;
-    const double from = std::atan2(-in.x, in.y);
-    double turn = std::atan2(-out.x, out.y) - from;
+    const double from = arc_tangent(-in.x, in.y);
+    double turn = arc_tangent(-out.x, out.y) - from;
     if (turn < 0) turn += 2 * std::numbers::pi;
     const int steps = static_cast<int>(std::ceil(turn * by)) + 1;
     for (int k = 0; k <= steps; ++k) {
       const double angle = from + turn * k / steps;
-      result.push_back(p + by * Vec2{std::cos(angle), std::sin(angle)});
+      result.push_back(p + by * Vec2{cosine(angle), sine(angle)});
     }
   }
   return result;

@@ -7,40 +7,30 @@
 #include "core/contour/trace.h"
 #include "core/formats/lua_script.h"
 #include "core/image/sample.h"
+#include "tests/support/bit_hash.h"
 #include "tests/support/images.h"
 
 using namespace slipstick;
 
 namespace {
 
-// A hash of the points of outlines and of the edges before.
-class Hash {
- public:
-  void add(const Simplified& simplified) {
-    add(simplified.edges_before);
-    for (const Outline::Loop& loop : simplified.outline.loops()) {
-      add(static_cast<std::uint64_t>(loop.depth));
-      for (const GridPoint p : loop.points) {
-        add(static_cast<std::uint64_t>(p.x) << 32 ^ static_cast<std::uint32_t>(p.y));
-      }
+// The points of outlines and the edges before.
+void add(test::BitHash& hash, const Simplified& simplified) {
+  hash.add(simplified.edges_before);
+  for (const Outline::Loop& loop : simplified.outline.loops()) {
+    hash.add(static_cast<std::uint64_t>(loop.depth));
+    for (const GridPoint p : loop.points) {
+      hash.add(static_cast<std::uint64_t>(p.x) << 32 ^ static_cast<std::uint32_t>(p.y));
     }
   }
-  [[nodiscard]] std::uint64_t value() const { return value_; }
+}
 
- private:
-  void add(std::uint64_t bits) {
-    value_ = (value_ ^ bits) * 0x9E3779B97F4A7C15u;
-    value_ ^= value_ >> 32;
-  }
-  std::uint64_t value_ = 0;
-};
-
-void add_all(Hash& hash, const ContourSet& contours, double tolerance) {
+void add_all(test::BitHash& hash, const ContourSet& contours, double tolerance) {
   const SimplifyOptions options{tolerance, 10};
-  hash.add(keep_all(contours));
-  hash.add(simplify_vsa(contours, options));
-  hash.add(simplify_greedy(contours, options));
-  hash.add(simplify_fewest(contours, options));
+  add(hash, keep_all(contours));
+  add(hash, simplify_vsa(contours, options));
+  add(hash, simplify_greedy(contours, options));
+  add(hash, simplify_fewest(contours, options));
 }
 
 }  // namespace
@@ -53,7 +43,7 @@ TEST_CASE("Outlines of a solid are the same on every machine", "[golden]") {
       "golden.lua");
   REQUIRE(model);
   const auto solid = (*model)->placed({});
-  Hash hash;
+  test::BitHash hash;
   for (const double z : {-6.25, -1.0, 0.375, 3.3}) {
     const auto section = solid->section(z);
     const auto image = sample(*section, *SliceGrid::over({{-10, -10}, {10, 10}}, 0.125));
@@ -67,7 +57,7 @@ TEST_CASE("Outlines of a solid are the same on every machine", "[golden]") {
 
 TEST_CASE("Outlines of bit images are the same on every machine", "[golden]") {
   Rng rng(11);
-  Hash hash;
+  test::BitHash hash;
   for (int i = 0; i < 60; ++i) {
     const BitImage image = i % 2 == 0 ? test::structured(rng) : test::noise(rng, 20, 20, 0.45);
     ContourSet contours = trace(image, i % 3 == 0 ? Ambiguity::kVoid : Ambiguity::kSolid);

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/elementary.h"
 #include "core/base/rng.h"
-#include "core/expr/elementary.h"
 
 using namespace slipstick;
 

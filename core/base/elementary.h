@@ -3,7 +3,7 @@
 namespace slipstick {
 
 /// \file
-/// The elementary functions of expressions, of the four basic operations, square roots and whole
+/// Elementary functions made of the four basic operations, square roots and whole
 /// numbers alone: the same bits with every compiler, library and machine of IEEE doubles.
 ///
 /// Each is within `kElementaryUlps` units in the last place of the true value, for every argument

@@ -1,4 +1,4 @@
-#include "core/expr/elementary.h"
+#include "core/base/elementary.h"
 
 #include <array>
 #include <bit>
@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "core/expr/pi_reduction.h"
+#include "core/base/pi_reduction.h"
 
 namespace slipstick {
 namespace {

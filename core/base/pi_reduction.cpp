@@ -1,4 +1,4 @@
-#include "core/expr/pi_reduction.h"
+#include "core/base/pi_reduction.h"
 
 #include <array>
 #include <bit>

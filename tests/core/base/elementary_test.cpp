@@ -1,4 +1,4 @@
-#include "core/expr/elementary.h"
+#include "core/base/elementary.h"
 
 #include <bit>
 #include <catch2/catch.hpp>
