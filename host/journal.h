@@ -41,6 +41,9 @@ class Journal {
   void turn(const SenderCounters& counters, Moment now);
   void ended(JournalEnd end);
 
+  /// For last words; -1 if it was given up.
+  [[nodiscard]] int descriptor() const { return file_.get(); }
+
  private:
   Journal(std::filesystem::path path, UniqueFd file, std::uint64_t line)
       : path_(std::move(path)), file_(std::move(file)), base_(line), taken_(line) {}

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "core/gcode/write.h"
 #include "core/job/settings_table_text.h"
 #include "host/atomic_file.h"
 #include "host/checksum.h"
@@ -23,6 +26,7 @@ Result<void> JournalledPrint::identify(const std::filesystem::path& model,
   const auto bytes = read_file(model);
   if (!bytes) return fail(bytes.error());
   const std::uint32_t model_sum = checksum(*bytes);
+  start_ = write_start(settings).text;
   const std::uint32_t settings_sum = settings_checksum(settings);
   if (header_) {
     header_->model = model_sum;
@@ -72,6 +76,7 @@ Result<LineSource*> JournalledPrint::begin(LineSource& source, const Clock& cloc
   if (content_) {
     if (const auto ok = go_on(options); !ok) return fail(ok.error().within(path_.string()));
   }
+  options.journal = journal_->descriptor();
   options.listeners = {[this](const SenderEvent& event) { journal_->heard(event); },
                        [this, &clock](SenderState, const SenderCounters& counters) {
                          journal_->turn(counters, clock.now());
@@ -90,12 +95,27 @@ Result<void> JournalledPrint::go_on(StreamOptions& options) {
   auto start = resume_start(point_, *content_, lines_->state(), *options.parking);
   if (!start) return fail(start.error());
   options.sender = std::move(start->sender);
-  options.first = std::move(start->lines);
+  if (!point_.kept) options.first = board_settings();
+  options.first.insert(options.first.end(), start->lines.begin(), start->lines.end());
   options.state = lines_->state();
   auto journal = Journal::go_on(path_, *content_, point_.line);
   if (!journal) return fail(journal.error());
   journal_.emplace(*std::move(journal));
   return {};
+}
+
+// What the print has set up before the line where it goes on, for a board that has forgotten it.
+std::vector<Line> JournalledPrint::board_settings() const {
+  BoardSettings settings;
+  std::string_view rest = point_.layer ? std::string_view(start_) : std::string_view();
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    const auto line = normalise(rest.substr(0, end));
+    if (line && *line) settings.follow(**line);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  for (const Line& line : lines_->settings().lines()) settings.follow(line);
+  return settings.lines();
 }
 
 void JournalledPrint::began(int layer, std::string_view program) {

@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "core/job/settings.h"
 #include "host/journal.h"
@@ -51,6 +53,7 @@ class JournalledPrint {
 
  private:
   [[nodiscard]] Result<void> go_on(StreamOptions& options);
+  [[nodiscard]] std::vector<Line> board_settings() const;
 
   std::filesystem::path path_;
   std::optional<JournalHeader> header_;    ///< Of a new one.
@@ -60,6 +63,7 @@ class JournalledPrint {
   std::optional<TrackedLines> lines_;
   std::optional<Journal> journal_;
   bool same_layer_ = true;
+  std::string start_;  ///< The G-code before the first layer, if there are layers.
 };
 
 }  // namespace slipstick

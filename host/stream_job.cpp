@@ -237,7 +237,7 @@ Result<StreamOutcome> stream_job(Transport& transport, const Clock& clock, LineS
 
 Result<StreamOutcome> stream_job(Transport& transport, const Clock& clock, LineSource& source,
                                  const StreamOptions& options, const PrintControl& control) {
-  const LastWords last_words(transport.descriptor());
+  const LastWords last_words(transport.descriptor(), options.journal);
   return Stream(transport, clock, source, options, control).run();
 }
 

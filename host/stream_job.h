@@ -24,6 +24,7 @@ struct StreamOptions {
   std::optional<ParkingPlace> parking{};  ///< Where the nozzle waits in a pause; else it stays.
   SenderOptions sender{};
   PrintStateTracker state{};  ///< What lines of the job before those of the source have left.
+  int journal = -1;           ///< Descriptor of a journal, for last words.
   PrintControl::Listeners listeners{};  ///< Who hears of it beside those of the control.
   std::vector<Line> first{};            ///< Sent before the source's, and not counted.
 };

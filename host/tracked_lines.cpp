@@ -8,6 +8,7 @@ Result<std::optional<Line>> TrackedLines::next() {
   auto line = source_.next();
   if (!line || !*line) return line;
   state_.follow((**line).text());
+  settings_.follow(**line);
   ++line_;
   return line;
 }

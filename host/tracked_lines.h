@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "drivers/marlin/board_settings.h"
 #include "drivers/marlin/print_state.h"
 #include "host/line_source.h"
 
@@ -28,11 +29,13 @@ class TrackedLines final : public LineSource {
   [[nodiscard]] std::uint64_t line() const { return line_; }
   /// After the last line given out.
   [[nodiscard]] const PrintStateTracker& state() const { return state_; }
+  [[nodiscard]] const BoardSettings& settings() const { return settings_; }
 
  private:
   LineSource& source_;
   std::uint64_t line_;
   PrintStateTracker state_;
+  BoardSettings settings_;
 };
 
 }  // namespace slipstick

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+
+#include "core/base/number_text.h"
 
 namespace slipstick {
 namespace {
@@ -49,6 +52,43 @@ std::string_view without_framing(std::string_view text) {
   return text;
 }
 
+bool may_stand_in_number(char c) {
+  return is_digit(c) || c == '.' || c == '-' || c == '+';
+}
+
+/// `number` with at most five decimals: Marlin's floats tell no more of 100 mm.
+std::string rounded(std::string_view number) {
+  constexpr std::size_t kDecimals = 5;
+  constexpr double kLargest = 1e9;
+  const std::size_t point = number.find('.');
+  const bool is_long = point != number.npos && number.size() - point > kDecimals + 1;
+  const auto value = is_long ? parse_number(number) : std::nullopt;
+  if (!value || std::abs(*value) >= kLargest) return std::string(number);
+  std::string text;
+  append_rounded(text, *value, int{kDecimals});
+  return text;
+}
+
+std::string with_rounded_numbers(std::string_view text) {
+  std::string kept;
+  while (!text.empty()) {
+    const auto* end = std::ranges::find_if_not(text, may_stand_in_number);
+    const auto size = static_cast<std::size_t>(end - text.begin());
+    kept += size > 0 ? rounded(text.substr(0, size)) : std::string(1, text.front());
+    text.remove_prefix(std::max<std::size_t>(size, 1));
+  }
+  return kept;
+}
+
+/// Says the same in fewer bytes, as far as that is possible.
+std::string shortened(std::string_view text) {
+  if (text.front() == 'G') return with_rounded_numbers(text);
+  if (!is_command(text, "M117") && !is_command(text, "M118")) return std::string(text);
+  text = text.substr(0, Line::kMaxText);
+  while (text.ends_with(' ')) text.remove_suffix(1);
+  return std::string(text);
+}
+
 tl::unexpected<Error> refused(std::string_view text, std::string_view why) {
   return fail(ErrorCode::kInput, fmt::format("G-code line '{}': {}", text.substr(0, 40), why));
 }
@@ -76,7 +116,8 @@ Result<std::optional<Line>> normalise(std::string_view raw) {
   const std::string clean = with_single_blanks(without_comments(raw));
   const std::string_view text = without_framing(clean);
   if (text.empty()) return std::optional<Line>();
-  return Line::make(text).map([](Line&& line) { return std::optional<Line>(std::move(line)); });
+  const std::string kept = text.size() > Line::kMaxText ? shortened(text) : std::string(text);
+  return Line::make(kept).map([](Line&& line) { return std::optional<Line>(std::move(line)); });
 }
 
 bool is_command(std::string_view text, std::string_view code) {

@@ -148,7 +148,12 @@ bool Store::can_be_taken_up(const StoredJob& job) const {
 Result<void> Store::clear_bed() {
   const auto changed = database_.change("UPDATE printer SET bed_occupied = 0");
   if (!changed) return fail(changed.error());
-  remove_all_but({}, folder_ / "journals");
+  // Only of jobs that are over now: the next one may begin meanwhile.
+  const auto over =
+      database_.query("SELECT id FROM jobs WHERE state NOT IN ('queued', 'printing')");
+  if (!over) return fail(over.error());
+  std::error_code ignored;
+  for (const SqlRow& job : *over) fs::remove(journal_of(job.integer(0)), ignored);
   return {};
 }
 

@@ -203,6 +203,20 @@ TEST_CASE("After a loss of power the print goes on a few lines before, at its he
   CHECK(before.size() + after.size() <= whole.size() + 24);
 }
 
+TEST_CASE("A board that was reset is told again what the print has set up") {
+  auto program = test::spiral("M83");
+  program.insert(program.begin() + 4, {"M204 P700", "M221 S95"});
+  Bench bench(program);
+  REQUIRE(!bench.start(45));
+  bench.lose_power();
+  REQUIRE(bench.machine().limits.print_acceleration != 700);
+
+  REQUIRE(bench.resume(kNever, Consent::kRecover));
+
+  CHECK(bench.machine().limits.print_acceleration == 700);
+  CHECK(bench.machine().flow_percent == 95);
+}
+
 TEST_CASE("Power lost while the nozzle was parked leaves its height unknown: nothing moves") {
   Bench bench(test::spiral("M83"));
   bench.pause_at(30, kNever);

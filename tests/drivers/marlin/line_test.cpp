@@ -54,6 +54,24 @@ TEST_CASE("The longest line still fits into Marlin's 95 bytes with the greatest 
   CHECK(frame(999'999'999, longest).size() - 1 <= 95);
 }
 
+TEST_CASE(
+    "A line that is too long is said in fewer bytes, where that changes nothing to speak of") {
+  CHECK(normalised("G1 X100.123456789012345 Y-200.987654321098765 Z0.300000000000000 "
+                   "E12345.678901234567 F1800") ==
+        "G1 X100.12346 Y-200.98765 Z0.3 E12345.6789 F1800");
+  CHECK(
+      normalised("G1X1.00000000000000000000000Y2.0000000000000000000000000000Z3.000000000000000E-."
+                 "123456789") == "G1X1Y2Z3E-0.12346");
+  const std::string message = "M117 " + std::string(74, 'a') + " " + std::string(40, 'b');
+  CHECK(normalised(message) == message.substr(0, 79));
+}
+
+TEST_CASE("A line that fits keeps every decimal, and one that cannot be shortened is refused") {
+  CHECK(normalised("G1 X1.123456789") == "G1 X1.123456789");
+  CHECK(normalised("M32 " + std::string(90, 'x')).starts_with("error: "));
+  CHECK(normalised("G1 " + std::string(90, '1')).starts_with("error: "));
+}
+
 TEST_CASE("A command is known by its whole code") {
   CHECK(is_command("M105", "M105"));
   CHECK(is_command("M105 T0", "M105"));
