@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace slipstick {
 
@@ -23,7 +24,8 @@ Printer::Printer(const PrinterOptions& options, const Planner::Sink& sink)
 void Printer::receive(std::string_view bytes, Moment at) {
   if (!plugged_) return;
   const Moment arrives = std::max(at, now_);
-  to_board_.push(faults_.to_board(bytes, arrives), arrives);
+  if (faults_.empty()) return to_board_.push(bytes, arrives);
+  to_board_.push(faults_.to_board(std::string(bytes), arrives), arrives);
 }
 
 Planner::Sink Printer::through(const std::shared_ptr<Spool>& spool, const Planner::Sink& sink) {
@@ -70,15 +72,15 @@ bool Printer::deliver() {
 
 bool Printer::think() {
   if (!processor_free() || !firmware_->step(now_)) return false;
-  if (const std::string text = firmware_->take_text(); !text.empty()) transmit(text);
+  if (std::string text = firmware_->take_text(); !text.empty()) transmit(std::move(text));
   return true;
 }
 
 /// The processor waits for the transmitter, but not for what is late beyond it.
-void Printer::transmit(const std::string& text) {
+void Printer::transmit(std::string text) {
   if (!plugged_) return;
   const Moment late = faults_.delay(now_);
-  to_host_.push(faults_.to_host(text, now_), now_ + late);
+  to_host_.push(faults_.to_host(std::move(text), now_), now_ + late);
   busy_until_ = std::max(now_, to_host_.idle_at() - late);
 }
 

@@ -90,7 +90,7 @@ class Printer {
   void settle();
   bool deliver();
   bool think();
-  void transmit(const std::string& text);
+  void transmit(std::string text);
   [[nodiscard]] bool processor_free() const { return !frozen_ && now_ >= busy_until_; }
 
   struct Spool {

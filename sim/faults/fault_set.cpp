@@ -24,16 +24,14 @@ std::optional<Moment> FaultSet::next_at() const {
   return first;
 }
 
-std::string FaultSet::to_board(std::string_view bytes, Moment now) {
-  std::string arriving(bytes);
-  for (const auto& fault : faults_) arriving = fault->to_board(std::move(arriving), now);
-  return arriving;
+std::string FaultSet::to_board(std::string bytes, Moment now) {
+  for (const auto& fault : faults_) bytes = fault->to_board(std::move(bytes), now);
+  return bytes;
 }
 
-std::string FaultSet::to_host(std::string_view text, Moment now) {
-  std::string arriving(text);
-  for (const auto& fault : faults_) arriving = fault->to_host(std::move(arriving), now);
-  return arriving;
+std::string FaultSet::to_host(std::string text, Moment now) {
+  for (const auto& fault : faults_) text = fault->to_host(std::move(text), now);
+  return text;
 }
 
 Moment FaultSet::delay(Moment now) const {

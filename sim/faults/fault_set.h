@@ -2,7 +2,6 @@
 
 #include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "sim/faults/fault.h"
@@ -16,10 +15,11 @@ class FaultSet {
   /// \param seed of all chance; each fault has its own from it.
   FaultSet(const std::vector<FaultSpec>& specs, std::uint64_t seed);
 
+  [[nodiscard]] bool empty() const { return faults_.empty(); }
   void see(Printer& printer);
   [[nodiscard]] std::optional<Moment> next_at() const;
-  [[nodiscard]] std::string to_board(std::string_view bytes, Moment now);
-  [[nodiscard]] std::string to_host(std::string_view text, Moment now);
+  [[nodiscard]] std::string to_board(std::string bytes, Moment now);
+  [[nodiscard]] std::string to_host(std::string text, Moment now);
   [[nodiscard]] Moment delay(Moment now) const;
   /// How often any of them did harm so far.
   [[nodiscard]] std::int64_t count() const;
