@@ -35,8 +35,8 @@ struct Subject {
 [[nodiscard]] std::vector<Subject> smooth_subjects();
 /// Those, and shapes with corners: a turned square, a truss of struts, the example solids.
 [[nodiscard]] std::vector<Subject> edge_subjects();
-/// 3200 nodes a side, as a layer of the paper's Filigree: two of about as many sticks (26,000), and a
-/// real model of five times as many.
+/// 3200 nodes a side, as a layer of the paper's Filigree: two of about as many sticks (26,000), and
+/// a real model of five times as many.
 [[nodiscard]] std::vector<Subject> filigree_layers();
 
 /// The folder that SLIPSTICK_MODELS names, or nothing: rows that need real models are left out and
