@@ -106,7 +106,7 @@ std::vector<Subject> filigree_layers() {
       subject(
           "rings",
           lua_solid(
-              "return torus(3.6, 1):array(17, 17, 0, 12, 12, 1):bounds(-5, -5, -1, 198, 198, 1)"),
+              "return torus(3.6, 1):array(48.5, 38.8, 0, 5, 6, 1):bounds(-5, -5, -1, 199, 199, 1)"),
           kSampling),
       subject("gyroid", lua_solid("return intersection(box(203, 203, 10), gyroid(150, 30))"),
               kSampling)};
