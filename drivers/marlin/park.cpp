@@ -51,6 +51,15 @@ double waiting_height(const PrintState& state, const ParkingPlace& place) {
   return std::max(z, std::min(highest, place.height_max));
 }
 
+// Last, because all moves before need modes of their own. Some firmware lets G90 and G91 speak for
+// the extruder too.
+void append_modes(std::vector<Line>& lines, const PrintState& state) {
+  if (state.fan) lines.push_back(LineBuilder("M106").word('S', *state.fan).line());
+  if (state.feed) lines.push_back(LineBuilder("G1").word('F', *state.feed).line());
+  lines.push_back(plain(state.relative ? "G91" : "G90"));
+  lines.push_back(plain(state.relative_extrusion ? "M83" : "M82"));
+}
+
 }  // namespace
 
 std::vector<Line> heating_lines(const PrintState& state) {
@@ -62,19 +71,6 @@ std::vector<Line> heating_lines(const PrintState& state) {
   if (nozzle > 0) lines.push_back(LineBuilder("M109").word('S', nozzle).line());
   return lines;
 }
-
-namespace {
-
-// Last, because all moves before need modes of their own. Some firmware lets G90 and G91 speak for
-// the extruder too.
-void append_modes(std::vector<Line>& lines, const PrintState& state) {
-  if (state.fan) lines.push_back(LineBuilder("M106").word('S', *state.fan).line());
-  if (state.feed) lines.push_back(LineBuilder("G1").word('F', *state.feed).line());
-  lines.push_back(plain(state.relative ? "G91" : "G90"));
-  lines.push_back(plain(state.relative_extrusion ? "M83" : "M82"));
-}
-
-}  // namespace
 
 std::vector<Line> parking_lines(const PrintState& state, const ParkingPlace& place) {
   std::vector<Line> lines;

@@ -46,6 +46,15 @@ double from_outline(Vec2 p, const std::vector<std::vector<Vec2>>& polygons) {
   return least;
 }
 
+template <typename Visit>
+void for_each_inside(const BitImage& image, Visit visit) {
+  for (int row = 0; row < image.rows(); ++row) {
+    for (int column = 0; column < image.columns(); ++column) {
+      if (image.at(column, row)) visit(column, row);
+    }
+  }
+}
+
 Vec2 node(const SliceGrid& grid, int column, int row) {
   return {grid.node_x(column), grid.node_y(row)};
 }
@@ -63,13 +72,10 @@ TEST_CASE("The distance of every inside node is that to the nearest edge, up to 
     const DistanceField field(image, outline, kReach);
 
     double worst = 0;
-    for (int row = 0; row < image.rows(); ++row) {
-      for (int column = 0; column < image.columns(); ++column) {
-        const double real =
-            image.at(column, row) ? from_outline(node(image.grid(), column, row), polygons) : 0;
-        worst = std::max(worst, std::abs(field.at(column, row) - std::min(real, kReach)));
-      }
-    }
+    for_each_inside(image, [&](int column, int row) {
+      const double real = from_outline(node(image.grid(), column, row), polygons);
+      worst = std::max(worst, std::abs(field.at(column, row) - std::min(real, kReach)));
+    });
     CHECK(worst < 1e-6);  // distances are kept in single precision
   }
 }
@@ -111,16 +117,13 @@ TEST_CASE("What is within a level of a node that is as deep is inside") {
     const int reach = static_cast<int>(level / kWidth);
 
     std::size_t outside = 0;
-    for (int row = 0; row < image.rows(); ++row) {
-      for (int column = 0; column < image.columns(); ++column) {
-        if (!deep.at(column, row)) continue;
-        for (int y = -reach; y <= reach; ++y) {
-          for (int x = -reach; x <= reach; ++x) {
-            if (std::hypot(x, y) * kWidth < level && !image.at(column + x, row + y)) ++outside;
-          }
+    for_each_inside(deep, [&](int column, int row) {
+      for (int y = -reach; y <= reach; ++y) {
+        for (int x = -reach; x <= reach; ++x) {
+          if (std::hypot(x, y) * kWidth < level && !image.at(column + x, row + y)) ++outside;
         }
       }
-    }
+    });
     CHECK(outside == 0);
   }
 }

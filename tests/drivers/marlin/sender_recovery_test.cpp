@@ -8,6 +8,18 @@ namespace {
 
 using namespace std::chrono_literals;
 
+// Says `line` every two seconds and nothing else, until it is given up or for `most`. \return how
+// long.
+Moment keeps_saying(Talk& talk, std::string_view line, Moment most) {
+  const Moment from = talk.now;
+  while (talk.sender.state() != SenderState::kLost && talk.now - from < most) {
+    talk.silence(2s);
+    talk.says(line);
+    static_cast<void>(talk.sender.take_output(talk.now));
+  }
+  return talk.now - from;
+}
+
 TEST_CASE("A refused line is sent again after quiet, whether or not an ok follows the request") {
   const bool with_ok = GENERATE(true, false);
   Talk talk;
@@ -209,18 +221,13 @@ TEST_CASE("A printer that reports for ever but obeys nothing is given up") {
   talk.greet();
   talk.job("G1 X1");
   talk.expects(frame(3, "G1 X1"));
-  const Moment sent = talk.now;
 
-  while (talk.sender.state() != SenderState::kLost && talk.now - sent < 2h) {
-    talk.silence(2s);
-    talk.says(" T:205.00 /205.00 B:60.00 /60.00 @:0 B@:0");
-    static_cast<void>(talk.sender.take_output(talk.now));
-  }
+  const Moment took = keeps_saying(talk, " T:205.00 /205.00 B:60.00 /60.00 @:0 B@:0", 2h);
 
   CHECK(talk.sender.state() == SenderState::kLost);
   CHECK_THAT(talk.sender.reason(), Catch::Contains("obeyed nothing since line 2"));
-  CHECK(talk.now - sent >= Sender::kDeafMax);
-  CHECK(talk.now - sent <= Sender::kDeafMax + Sender::kAliveWindow + 5s);
+  CHECK(took >= Sender::kDeafMax);
+  CHECK(took <= Sender::kDeafMax + Sender::kAliveWindow + 5s);
 }
 
 TEST_CASE("A printer that says that it is busy is waited for however long it takes") {
@@ -228,13 +235,8 @@ TEST_CASE("A printer that says that it is busy is waited for however long it tak
   talk.greet();
   talk.job("M600");
   talk.expects(frame(3, "M600"));
-  const Moment sent = talk.now;
 
-  while (talk.now - sent < 2h) {
-    talk.silence(2s);
-    talk.says("echo:busy: paused for user");
-    static_cast<void>(talk.sender.take_output(talk.now));
-  }
+  CHECK(keeps_saying(talk, "echo:busy: paused for user", 2h) >= 2h);
 
   CHECK(talk.sender.state() != SenderState::kLost);
 }
