@@ -1,6 +1,7 @@
 #include "core/expr/block.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/check.h"
 
@@ -33,11 +34,13 @@ BoxVerdict bound(const Listing& listing, const Program& program, const BoxBatch&
   for (const auto* side : {&boxes.x_low, &boxes.x_high, &boxes.y_low, &boxes.y_high}) {
     at = std::copy(side->begin(), side->end(), at);
   }
-  run_boxes({listing.instructions, program.constants().data(), values, choices.data()});
+  run_boxes(
+      {listing.instructions, program.constants().data(), values, choices.data(), boxes.count});
   const double* const low = values + std::size_t{2} * listing.result * kBoxesMax;
   BoxVerdict verdict;
-  for (std::size_t i = 0; i < kBoxesMax; ++i) {
+  for (std::size_t i = 0; i < boxes.count; ++i) {
     if (low[kBoxesMax + i] <= 0) verdict.at_most_zero |= static_cast<std::uint16_t>(1u << i);
+    if (std::isnan(low[i])) verdict.undefined |= static_cast<std::uint16_t>(1u << i);
     if (low[i] > 0) verdict.above_zero |= static_cast<std::uint16_t>(1u << i);
   }
   return verdict;

@@ -29,12 +29,14 @@ inline constexpr std::size_t kBlockPoints = 256;
 /// Boxes in the plane that are bounded together.
 struct BoxBatch {
   std::array<double, kBoxesMax> x_low{}, x_high{}, y_low{}, y_high{};
+  std::size_t count = 0;
 };
 
-/// What is known of f in each of the boxes, a bit a box; where f may be NaN, nothing.
+/// What is known of f in each of the boxes, a bit a box; of its sign nothing where it may be NaN.
 struct BoxVerdict {
   std::uint16_t at_most_zero = 0;
   std::uint16_t above_zero = 0;
+  std::uint16_t undefined = 0;  ///< Where f may be NaN.
 };
 
 /// f at the points. \pre As many xs as ys, at most `kBlockPoints`.

@@ -25,6 +25,7 @@ namespace slipstick::HWY_NAMESPACE {
 // clang-format sorts within a group; the lanes come first.
 #include "core/expr/boxes-inl.h"
 #include "core/expr/points-inl.h"
+#include "core/expr/spans-inl.h"
 
 }  // namespace slipstick::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -35,6 +36,7 @@ namespace slipstick {
 HWY_EXPORT(RunPoints);
 HWY_EXPORT(RunSigns);
 HWY_EXPORT(RunBoxes);
+HWY_EXPORT(RunChain);
 
 void run_points(const PointRun& run) {
   HWY_DYNAMIC_DISPATCH(RunPoints)(run);
@@ -44,6 +46,9 @@ void run_signs(const SignRun& run) {
 }
 void run_boxes(const BoxRun& run) {
   HWY_DYNAMIC_DISPATCH(RunBoxes)(run);
+}
+void run_chain(const ChainRun& run) {
+  HWY_DYNAMIC_DISPATCH(RunChain)(run);
 }
 
 }  // namespace slipstick

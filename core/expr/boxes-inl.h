@@ -193,7 +193,7 @@ HWY_INLINE void note_options(const BoxRun& run, const Instruction& step, Choice&
   choice = {};
   const auto at = [](Mask mask, std::size_t box)
                       HWY_ATTR { return static_cast<std::uint16_t>(bits_of(mask) << box); };
-  for (std::size_t box = 0; box < kBoxesMax; box += hn::Lanes(Tag())) {
+  for (std::size_t box = 0; box < run.boxes; box += hn::Lanes(Tag())) {
     const Bounds a = bounds_at(run, step.a, box), b = bounds_at(run, step.b, box);
     const Options o = step.code == code_of(Op::kMin) ? options_of_min(a, b) : options_of_max(a, b);
     choice.value_is_a |= at(o.value_is_a, box);
@@ -209,7 +209,7 @@ void RunBoxes(const BoxRun& run) {
     if (step.code == code_of(Op::kMin) || step.code == code_of(Op::kMax)) {
       note_options(run, step, run.choices[i]);
     }
-    for (std::size_t box = 0; box < kBoxesMax; box += hn::Lanes(Tag())) {
+    for (std::size_t box = 0; box < run.boxes; box += hn::Lanes(Tag())) {
       const Bounds x = bounds_of(run, step, box);
       double* out = run.registers + std::size_t{2} * step.out * kBoxesMax + box;
       store(x.low, out);

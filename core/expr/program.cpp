@@ -12,6 +12,7 @@ namespace {
 class Writer {
  public:
   explicit Writer(const Tape& tape) : tape_(tape), register_of_(tape.steps.size()) {
+    instructions.reserve(tape.steps.size());
     for (std::size_t i = 0; i < tape.steps.size(); ++i) register_of_[i] = write(i);
   }
 

@@ -48,7 +48,7 @@ struct Listing {
 /// (`core/expr/block.h`). Gives the bits of the tape.
 class Program {
  public:
-  /// \pre `tape` has no z (see `compile_at`).
+  /// \pre `tape` has no z (see `at_height`).
   explicit Program(const Tape& tape);
 
   [[nodiscard]] Listing listing() const { return {instructions_, result_, registers_}; }

@@ -12,34 +12,6 @@ namespace {
 
 constexpr std::uint32_t kAbsent = std::numeric_limits<std::uint32_t>::max();
 
-// Builds a tape step by step, folding what has become constant.
-class TapeBuilder {
- public:
-  std::uint32_t add(const Tape::Step& step) {
-    if (is_unary(step.op) && constant(step.a)) {
-      return push({Op::kConstant, 0, 0, apply(step.op, *constant(step.a), 0)});
-    }
-    if (is_binary(step.op) && constant(step.a) && constant(step.b)) {
-      return push({Op::kConstant, 0, 0, apply(step.op, *constant(step.a), *constant(step.b))});
-    }
-    return push(step);
-  }
-
-  Tape finish(std::uint32_t root);
-
- private:
-  std::optional<double> constant(std::uint32_t step) const {
-    if (steps_[step].op != Op::kConstant) return {};
-    return steps_[step].value;
-  }
-  std::uint32_t push(const Tape::Step& step) {
-    steps_.push_back(step);
-    return static_cast<std::uint32_t>(steps_.size() - 1);
-  }
-
-  std::vector<Tape::Step> steps_;
-};
-
 // The steps that `root` needs, renumbered.
 Tape live_part(const std::vector<Tape::Step>& steps, std::uint32_t root) {
   std::vector<std::uint32_t> number(root + 1, kAbsent);
@@ -59,10 +31,6 @@ Tape live_part(const std::vector<Tape::Step>& steps, std::uint32_t root) {
     tape.steps.push_back(step);
   }
   return tape;
-}
-
-Tape TapeBuilder::finish(std::uint32_t root) {
-  return live_part(steps_, root);
 }
 
 Interval value_of(const Tape::Step& step, const Box3& box, const std::vector<Interval>& values) {
@@ -128,18 +96,13 @@ void run_step(const Tape::Step& step, std::size_t n, Values out, Operand a, Oper
   }
 }
 
-Tape compiled(const Graph& graph, Graph::Id root, std::optional<double> z) {
-  TapeBuilder builder;
-  std::vector<std::uint32_t> step_of(root + 1, kAbsent);
-  for (const Graph::Id id : graph.order(root)) {
-    const Graph::Node& node = graph[id];
-    Tape::Step step{node.op, 0, 0, node.value};
-    if (node.op == Op::kZ && z) step = {Op::kConstant, 0, 0, *z};
-    if (is_unary(node.op) || is_binary(node.op)) step.a = step_of[node.a];
-    if (is_binary(node.op)) step.b = step_of[node.b];
-    step_of[id] = builder.add(step);
-  }
-  return builder.finish(step_of[root]);
+// The value of an operation on constants.
+std::optional<double> constant_of(const Tape::Step& step, const std::vector<Tape::Step>& steps) {
+  if (!is_unary(step.op) && !is_binary(step.op)) return {};
+  const Tape::Step& a = steps[step.a];
+  const Tape::Step& b = is_binary(step.op) ? steps[step.b] : a;
+  if (a.op != Op::kConstant || b.op != Op::kConstant) return {};
+  return apply(step.op, a.value, b.value);
 }
 
 }  // namespace
@@ -158,11 +121,30 @@ Interval leaf_range(const Tape::Step& step, const Box3& box) {
 }
 
 Tape compile(const Graph& graph, Graph::Id root) {
-  return compiled(graph, root, {});
+  const std::vector<Graph::Id> order = graph.order(root);
+  Tape tape;
+  tape.steps.reserve(order.size());
+  std::vector<std::uint32_t> step_of(root + 1, kAbsent);
+  for (const Graph::Id id : order) {
+    const Graph::Node& node = graph[id];
+    Tape::Step step{node.op, 0, 0, node.value};
+    if (is_unary(node.op) || is_binary(node.op)) step.a = step_of[node.a];
+    if (is_binary(node.op)) step.b = step_of[node.b];
+    step_of[id] = static_cast<std::uint32_t>(tape.steps.size());
+    tape.steps.push_back(step);
+  }
+  return tape;
 }
 
-Tape compile_at(const Graph& graph, Graph::Id root, double z) {
-  return compiled(graph, root, z);
+Tape at_height(Tape tape, double z) {
+  for (Tape::Step& step : tape.steps) {
+    if (step.op == Op::kZ) {
+      step = {Op::kConstant, 0, 0, z};
+    } else if (const auto value = constant_of(step, tape.steps)) {
+      step = {Op::kConstant, 0, 0, *value};
+    }
+  }
+  return tape;
 }
 
 Pruned prune(const Tape& tape, const Box3& box) {

@@ -28,8 +28,9 @@ struct Tape {
 /// `root` in space.
 [[nodiscard]] Tape compile(const Graph& graph, Graph::Id root);
 
-/// `root` in the plane at `z`, whatever depends on z alone folded.
-[[nodiscard]] Tape compile_at(const Graph& graph, Graph::Id root, double z);
+/// The same in the plane at `z`, step for step: whatever depends on z alone is a constant, and what
+/// that was made of is left in.
+[[nodiscard]] Tape at_height(Tape tape, double z);
 
 /// What a tape is over a box: all its values, and a tape without the branches of min and max that
 /// lose everywhere in the box. The shorter tape gives bit-identical values there, because min and

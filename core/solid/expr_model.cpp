@@ -64,9 +64,7 @@ class ExprSection final : public Section {
     Shared& s = *shared_;
     const std::size_t length = listing_.instructions.size();
     if (s.choices.size() < length) s.choices.resize(length), s.room.resize(length);
-    BoxBatch boxes;
-    boxes.x_low.fill(box.low.x), boxes.x_high.fill(box.high.x);
-    boxes.y_low.fill(box.low.y), boxes.y_high.fill(box.high.y);
+    const BoxBatch boxes{{box.low.x}, {box.high.x}, {box.low.y}, {box.high.y}, 1};
     const BoxVerdict verdict = bound(listing_, s.program, boxes, s.registers, s.choices);
     if (verdict.at_most_zero != 0) return {Cover::kInside, nullptr};
     if (verdict.above_zero != 0) return {Cover::kOutside, nullptr};
@@ -112,20 +110,18 @@ class ExprField final : public Field {
 
 class ExprSolid final : public Solid {
  public:
-  ExprSolid(Graph graph, Graph::Id root, const Box3& bounds)
-      : graph_(std::move(graph)), root_(root), bounds_(bounds) {}
+  ExprSolid(Tape tape, const Box3& bounds) : tape_(std::move(tape)), bounds_(bounds) {}
 
   [[nodiscard]] Box3 bounds() const override { return bounds_; }
   [[nodiscard]] std::unique_ptr<Section> section(double z) const override {
-    return std::make_unique<ExprSection>(std::make_shared<Shared>(compile_at(graph_, root_, z)));
+    return std::make_unique<ExprSection>(std::make_shared<Shared>(at_height(tape_, z)));
   }
   [[nodiscard]] std::unique_ptr<Field> field() const override {
-    return std::make_unique<ExprField>(compile(graph_, root_));
+    return std::make_unique<ExprField>(tape_);
   }
 
  private:
-  Graph graph_;
-  Graph::Id root_;
+  Tape tape_;
   Box3 bounds_;
 };
 
@@ -161,9 +157,8 @@ Box3 ExprModel::bounds_under(const Affine3& map) const {
 }
 
 std::shared_ptr<const Solid> ExprModel::placed(const Affine3& map) const {
-  Mapped m = mapped(map);
-  const Box3 bounds = image_of(map, bounds_);
-  return std::make_shared<ExprSolid>(std::move(m.graph), m.root, bounds);
+  const Mapped m = mapped(map);
+  return std::make_shared<ExprSolid>(compile(m.graph, m.root), image_of(map, bounds_));
 }
 
 std::string ExprModel::size_text() const {

@@ -6,12 +6,16 @@
 namespace slipstick {
 namespace {
 
-constexpr int kLeaf = 16;   // nodes a side of a tile that is evaluated node by node
-constexpr int kFanout = 4;  // tiles a side within a larger one
+constexpr int kLeaf = 16;  // nodes a side of a tile that is evaluated node by node
+constexpr int kRowTile = static_cast<int>(kSpanTile);
 static_assert(std::size_t{kLeaf} * kLeaf == kBlockPoints && 64 % kLeaf == 0);
 
-// More tiles than this at the top, and one more level costs less.
-constexpr int kTopTilesMax = 32;
+constexpr int kFanout = 4;  // tiles a side within a larger one
+constexpr int kTopFanout = 2;
+static_assert(kRowTile == BitImage::kBitsPerWord && kRowTile == kLeaf * kFanout);
+
+// More tiles than this at the top, each asked with all instructions, and one more level costs less.
+constexpr int kTopTilesMax = 16;
 
 int tiles_across(int nodes, int size) {
   return (nodes + size - 1) / size;
@@ -23,22 +27,19 @@ ExprPainter::ExprPainter(const Program& program, BlockRegisters& registers, BitI
     : program_(program), registers_(registers), image_(image) {}
 
 void ExprPainter::paint() {
-  int size = kLeaf;
-  std::size_t depth = 1;
-  while (tiles_across(image_.columns(), size) * tiles_across(image_.rows(), size) > kTopTilesMax) {
-    size *= kFanout;
-    ++depth;
+  const auto few = [this](int size) {
+    return tiles_across(image_.columns(), size) * tiles_across(image_.rows(), size) <= kTopTilesMax;
+  };
+  std::vector<int> sizes = {kLeaf, kRowTile};
+  while (!few(sizes.back())) {
+    sizes.push_back(sizes.back() * (few(sizes.back() * kTopFanout) ? kTopFanout : kFanout));
   }
-  const std::size_t length = program_.listing().instructions.size();
-  levels_.resize(depth);
-  for (Level& level : levels_) {
-    level.choices.resize(length);
-    level.room.resize(length);
-  }
-  split(program_.listing(), {1, 1, image_.columns() - 1, image_.rows() - 1}, size, 0);
+  for (std::size_t i = sizes.size(); i-- > 0;) levels_.push_back({sizes[i], {}, {}, {}});
+  split(program_.listing(), {1, 1, image_.columns() - 1, image_.rows() - 1}, 0);
 }
 
-void ExprPainter::split(const Listing& listing, const Tile& tile, int size, std::size_t depth) {
+void ExprPainter::split(const Listing& listing, const Tile& tile, std::size_t depth) {
+  const int size = levels_[depth].size;
   std::size_t count = 0;
   // Tiles begin at whole multiples of their size, so that bits stay within words.
   for (int row = tile.row_low / size * size; row < tile.row_high; row += size) {
@@ -47,19 +48,20 @@ void ExprPainter::split(const Listing& listing, const Tile& tile, int size, std:
           std::max(column, tile.column_low), std::max(row, tile.row_low),
           std::min(column + size, tile.column_high), std::min(row + size, tile.row_high)};
       if (count == kBoxesMax) {
-        batch(listing, size, depth, count);
+        batch(listing, depth, count);
         count = 0;
       }
     }
   }
-  if (count != 0) batch(listing, size, depth, count);
+  if (count != 0) batch(listing, depth, count);
 }
 
 BoxBatch ExprPainter::boxes(const Level& level, std::size_t count) const {
   const SliceGrid& grid = image_.grid();
   BoxBatch result;
-  for (std::size_t i = 0; i < kBoxesMax; ++i) {
-    const Tile& tile = level.tiles[std::min(i, count - 1)];
+  result.count = count;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Tile& tile = level.tiles[i];
     result.x_low[i] = grid.node_x(tile.column_low);
     result.x_high[i] = grid.node_x(tile.column_high - 1);
     result.y_low[i] = grid.node_y(tile.row_low);
@@ -68,8 +70,10 @@ BoxBatch ExprPainter::boxes(const Level& level, std::size_t count) const {
   return result;
 }
 
-void ExprPainter::batch(const Listing& listing, int size, std::size_t depth, std::size_t count) {
+void ExprPainter::batch(const Listing& listing, std::size_t depth, std::size_t count) {
   Level& level = levels_[depth];
+  const std::size_t length = listing.instructions.size();
+  if (level.room.size() < length) level.room.resize(length), level.choices.resize(length);
   const BoxVerdict verdict =
       bound(listing, program_, boxes(level, count), registers_, level.choices);
   for (std::size_t i = 0; i < count; ++i) {
@@ -82,11 +86,52 @@ void ExprPainter::batch(const Listing& listing, int size, std::size_t depth, std
     }
     const Listing inner =
         specializer_.specialize(listing, level.choices, i, Demand::kSign, level.room);
-    if (size == kLeaf) {
+    const bool defined = (verdict.undefined >> i & 1) == 0;
+    if (level.size == kRowTile && defined && row_spans_.lower(inner, program_.constants())) {
+      spans(inner, tile);
+    } else if (level.size == kLeaf) {
       nodes(inner, tile);
     } else {
-      split(inner, tile, size / kFanout, depth + 1);
+      split(inner, tile, depth + 1);
     }
+  }
+}
+
+// \pre The listing has just been lowered.
+void ExprPainter::spans(const Listing& listing, const Tile& tile) {
+  const SliceGrid& grid = image_.grid();
+  const int first_column = tile.column_low / kRowTile * kRowTile;
+  SpanTile where{grid.first_column() + first_column, grid.width(), {}};
+  for (int i = 0; i < kRowTile; ++i) {
+    where.ys[static_cast<std::size_t>(i)] = grid.node_y(tile.row_low + i);
+  }
+  const RowWords& words = row_spans_.draw(where, registers_);
+  const int shift = tile.column_low - first_column;
+  const std::uint64_t in_tile =
+      ~std::uint64_t{0} >> (kRowTile - (tile.column_high - tile.column_low));
+  for (int row = tile.row_low; row < tile.row_high; ++row) {
+    const auto i = static_cast<std::size_t>(row - tile.row_low);
+    image_.set_bits(tile.column_low, row, words.surely[i] >> shift & in_tile);
+    const std::uint64_t open = (words.maybe[i] & ~words.surely[i]) >> shift & in_tile;
+    if (open != 0) doubtful(listing, tile.column_low, row, open);
+  }
+}
+
+// The nodes of a row that the spans leave open, a bit a column.
+void ExprPainter::doubtful(const Listing& listing, int first_column, int row, std::uint64_t open) {
+  const SliceGrid& grid = image_.grid();
+  std::array<double, kSpanTile> xs, ys;
+  std::array<int, kSpanTile> columns;
+  std::size_t count = 0;
+  for (; open != 0; open &= open - 1, ++count) {
+    columns[count] = first_column + std::countr_zero(open);
+    xs[count] = grid.node_x(columns[count]);
+    ys[count] = grid.node_y(row);
+  }
+  const auto values = evaluate(listing, program_, std::span(xs).first(count),
+                               std::span(ys).first(count), registers_);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (values[i] <= 0) image_.set(columns[i], row, true);
   }
 }
 

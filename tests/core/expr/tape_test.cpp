@@ -53,7 +53,7 @@ TEST_CASE("Tapes, pruned tapes and intervals agree with the definition, bit for 
       const double value = value_at(tape, p);
 
       REQUIRE(test::same_value(value, test::value_of(graph, root, p)));
-      REQUIRE(test::same_value(value, value_at(compile_at(graph, root, p.z), p)));
+      REQUIRE(test::same_value(value, value_at(at_height(compile(graph, root), p.z), p)));
       if (!pruned.tape.steps.empty()) REQUIRE(test::same_value(value, value_at(pruned.tape, p)));
       if (std::isnan(value)) {
         REQUIRE(pruned.range.may_be_nan);

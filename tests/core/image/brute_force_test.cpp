@@ -110,14 +110,15 @@ TEST_CASE("Images of real expressions are those of the whole expression at every
 }
 
 TEST_CASE("All vectors that the processor has give one image") {
+  const std::string file = GENERATE("gyroid_sphere.lua", "bracket.lua");
   const auto model =
-      load_lua_model(text_of(fs::path(SLIPSTICK_SOURCE_DIR) / "configs/solids/gyroid_sphere.lua"),
-                     "gyroid_sphere.lua");
+      load_lua_model(text_of(fs::path(SLIPSTICK_SOURCE_DIR) / "configs/solids" / file), file);
   REQUIRE(model.has_value());
   const auto solid = (*model)->placed({});
   const Box3 box = solid->bounds();
   const auto grid = SliceGrid::over({{box.low.x, box.low.y}, {box.high.x, box.high.y}}, 0.2);
-  const auto image = [&] { return sample(*solid->section(0.1), *grid).value(); };
+  const double z = box.low.z + 0.1 * box.size().z;
+  const auto image = [&] { return sample(*solid->section(z), *grid).value(); };
   const BitImage best = image();
   const auto targets = hwy::SupportedAndGeneratedTargets();
   CHECK(best.any());
