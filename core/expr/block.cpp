@@ -22,20 +22,19 @@ std::span<const double> evaluate(const Listing& listing, const Program& program,
   double* const values = registers.prepare(listing.registers, size);
   std::fill(std::copy(xs.begin(), xs.end(), values), values + size, xs.back());
   std::fill(std::copy(ys.begin(), ys.end(), values + size), values + 2 * size, ys.back());
-  run_points({listing.instructions, program.constants().data(), values, size});
+  run_points({listing.instructions, program.constants().data(), values, size, size});
   return {values + listing.result * size, xs.size()};
 }
 
 BoxVerdict bound(const Listing& listing, const Program& program, const BoxBatch& boxes,
-                 BlockRegisters& registers, std::span<Choice> choices) {
-  SLIPSTICK_DCHECK(choices.size() >= listing.instructions.size());
+                 BlockRegisters& registers, BoxNotes& notes) {
+  notes.prepare(listing.instructions.size());
   double* at = registers.prepare(listing.registers, 2 * kBoxesMax);
   double* const values = at;
   for (const auto* side : {&boxes.x_low, &boxes.x_high, &boxes.y_low, &boxes.y_high}) {
     at = std::copy(side->begin(), side->end(), at);
   }
-  run_boxes(
-      {listing.instructions, program.constants().data(), values, choices.data(), boxes.count});
+  run_boxes({listing.instructions, program.constants().data(), values, boxes.count, notes});
   const double* const low = values + std::size_t{2} * listing.result * kBoxesMax;
   BoxVerdict verdict;
   for (std::size_t i = 0; i < boxes.count; ++i) {

@@ -23,9 +23,6 @@ class BlockRegisters {
   std::vector<Line> lines_;
 };
 
-/// Points that are evaluated together.
-inline constexpr std::size_t kBlockPoints = 256;
-
 /// Boxes in the plane that are bounded together.
 struct BoxBatch {
   std::array<double, kBoxesMax> x_low{}, x_high{}, y_low{}, y_high{};
@@ -46,9 +43,8 @@ struct BoxVerdict {
                                                std::span<const double> ys,
                                                BlockRegisters& registers);
 
-/// \param choices One for each instruction, filled for `Specializer`.
+/// \param notes Taken down for `Specializer`.
 [[nodiscard]] BoxVerdict bound(const Listing& listing, const Program& program,
-                               const BoxBatch& boxes, BlockRegisters& registers,
-                               std::span<Choice> choices);
+                               const BoxBatch& boxes, BlockRegisters& registers, BoxNotes& notes);
 
 }  // namespace slipstick

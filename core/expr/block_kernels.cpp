@@ -26,6 +26,7 @@ namespace slipstick::HWY_NAMESPACE {
 #include "core/expr/boxes-inl.h"
 #include "core/expr/points-inl.h"
 #include "core/expr/spans-inl.h"
+#include "core/expr/tile-inl.h"
 
 }  // namespace slipstick::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -34,12 +35,16 @@ HWY_AFTER_NAMESPACE();
 namespace slipstick {
 
 HWY_EXPORT(RunPoints);
+HWY_EXPORT(RunTile);
 HWY_EXPORT(RunSigns);
 HWY_EXPORT(RunBoxes);
 HWY_EXPORT(RunChain);
 
 void run_points(const PointRun& run) {
   HWY_DYNAMIC_DISPATCH(RunPoints)(run);
+}
+void run_tile(const TileRun& run) {
+  HWY_DYNAMIC_DISPATCH(RunTile)(run);
 }
 void run_signs(const SignRun& run) {
   HWY_DYNAMIC_DISPATCH(RunSigns)(run);

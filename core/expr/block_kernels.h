@@ -14,15 +14,40 @@ namespace slipstick {
 /// best the machine has is taken when it runs. No fused multiply-add anywhere: all give the same
 /// bits.
 
-/// Instructions over points. Register r begins at registers + r·points, aligned to 64 bytes; x and
+/// Instructions over points. Register r begins at registers + r·stride, aligned to 64 bytes; x and
 /// y are set.
 struct PointRun {
   std::span<const Instruction> instructions;
   const double* constants;
   double* registers;
   std::size_t points;  ///< A multiple of 8.
+  std::size_t stride;  ///< At least as many.
 };
 void run_points(const PointRun& run);
+
+/// Nodes a side of a tile that is evaluated node by node.
+inline constexpr std::size_t kTileSide = 16;
+/// Points that are evaluated together.
+inline constexpr std::size_t kBlockPoints = kTileSide * kTileSide;
+
+/// What a register over a tile depends on, and whether each node has its value; else only the first
+/// row has, or the first `kTileSide` values are those of the rows in turn.
+struct TileRegister {
+  bool of_x = true;
+  bool of_y = true;
+  bool spread = true;
+};
+
+/// Instructions over the nodes of a tile, row by row. Of x the first row is set, of y the first
+/// values, one a row. Gives the bits of `run_points`.
+struct TileRun {
+  std::span<const Instruction> instructions;
+  const double* constants;
+  double* registers;     ///< Register r begins at registers + r·kBlockPoints.
+  TileRegister* states;  ///< One a register; x and y are set.
+  std::uint32_t result;  ///< A register that each node is to have a value of.
+};
+void run_tile(const TileRun& run);
 
 /// Sets bit i of `at_most_zero` where values[i] <= 0, and of `undefined` where it is NaN.
 struct SignRun {
@@ -41,8 +66,8 @@ struct BoxRun {
   std::span<const Instruction> instructions;
   const double* constants;
   double* registers;
-  Choice* choices;    ///< One an instruction; set for min and max.
   std::size_t boxes;  ///< At most `kBoxesMax`; some more may be looked at.
+  BoxNotes& notes;    ///< Prepared for the instructions; written.
 };
 void run_boxes(const BoxRun& run);
 

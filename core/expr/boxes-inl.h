@@ -177,7 +177,7 @@ HWY_INLINE Bounds bounds_at(const BoxRun& run, std::uint32_t index, std::size_t 
 
 HWY_INLINE Bounds bounds_of(const BoxRun& run, const Instruction& step, std::size_t box) {
   if (step.code == code_of(Op::kConstant)) {
-    const Lanes c(run.constants[step.a]);
+    const Lanes c(constant_of(step));
     return {c, c};
   }
   const Bounds a = bounds_at(run, step.a, box);
@@ -203,11 +203,28 @@ HWY_INLINE void note_options(const BoxRun& run, const Instruction& step, Choice&
   }
 }
 
+// Boxes where a rounding operation gives one value, whose bits are those of both bounds.
+void note_settled(const BoxRun& run, const Instruction& step, Choice& choice) {
+  const double* const at = run.registers + std::size_t{2} * step.out * kBoxesMax;
+  choice = {};
+  if (run.notes.settled.size() == kSettledMax) return;
+  SettledValues values{};
+  for (std::size_t box = 0; box < run.boxes; ++box) {
+    values[box] = at[box];
+    const bool one =
+        std::bit_cast<std::uint64_t>(at[box]) == std::bit_cast<std::uint64_t>(at[kBoxesMax + box]);
+    if (one && !std::isnan(at[box])) choice.settled |= static_cast<std::uint16_t>(1u << box);
+  }
+  if (choice.settled == 0) return;
+  choice.values = static_cast<std::uint16_t>(run.notes.settled.size());
+  run.notes.settled.push_back(values);
+}
+
 void RunBoxes(const BoxRun& run) {
   for (std::size_t i = 0; i < run.instructions.size(); ++i) {
     const Instruction& step = run.instructions[i];
     if (step.code == code_of(Op::kMin) || step.code == code_of(Op::kMax)) {
-      note_options(run, step, run.choices[i]);
+      note_options(run, step, run.notes.choices[i]);
     }
     for (std::size_t box = 0; box < run.boxes; box += hn::Lanes(Tag())) {
       const Bounds x = bounds_of(run, step, box);
@@ -215,6 +232,7 @@ void RunBoxes(const BoxRun& run) {
       store(x.low, out);
       store(x.high, out + kBoxesMax);
     }
+    if (rounds(step.code)) note_settled(run, step, run.notes.choices[i]);
   }
 }
 

@@ -6,31 +6,31 @@
 
 template <typename F>
 HWY_INLINE void each(const PointRun& run, const Instruction& step, F f) {
-  const double* a = run.registers + step.a * run.points;
-  double* out = run.registers + step.out * run.points;
+  const double* a = run.registers + step.a * run.stride;
+  double* out = run.registers + step.out * run.stride;
   for (std::size_t i = 0; i < run.points; i += hn::Lanes(Tag())) store(f(load(a + i)), out + i);
 }
 
 template <typename F>
 HWY_INLINE void each_pair(const PointRun& run, const Instruction& step, F f) {
-  const double* a = run.registers + step.a * run.points;
-  const double* b = run.registers + step.b * run.points;
-  double* out = run.registers + step.out * run.points;
+  const double* a = run.registers + step.a * run.stride;
+  const double* b = run.registers + step.b * run.stride;
+  double* out = run.registers + step.out * run.stride;
   for (std::size_t i = 0; i < run.points; i += hn::Lanes(Tag())) {
     store(f(load(a + i), load(b + i)), out + i);
   }
 }
 
 void fill(const PointRun& run, const Instruction& step) {
-  double* out = run.registers + step.out * run.points;
-  std::fill_n(out, run.points, run.constants[step.a]);
+  double* out = run.registers + step.out * run.stride;
+  std::fill_n(out, run.points, constant_of(step));
 }
 
 // The rare operations, by their definition.
 void one_by_one(const PointRun& run, const Instruction& step) {
-  const double* a = run.registers + step.a * run.points;
-  const double* b = is_binary(op_of(step.code)) ? run.registers + step.b * run.points : a;
-  double* out = run.registers + step.out * run.points;
+  const double* a = run.registers + step.a * run.stride;
+  const double* b = is_binary(op_of(step.code)) ? run.registers + step.b * run.stride : a;
+  double* out = run.registers + step.out * run.stride;
   for (std::size_t i = 0; i < run.points; ++i) out[i] = apply(op_of(step.code), a[i], b[i]);
 }
 
@@ -87,18 +87,20 @@ void run_with_constant(const PointRun& run, const Instruction& step) {
   }
 }
 
-void RunPoints(const PointRun& run) {
-  for (const Instruction& step : run.instructions) {
-    if (step.code >= Code::kCopy) {
-      run_with_constant(run, step);
-    } else if (is_binary(op_of(step.code))) {
-      run_binary(run, step);
-    } else if (is_unary(op_of(step.code))) {
-      run_unary(run, step);
-    } else {
-      fill(run, step);
-    }
+void run_step(const PointRun& run, const Instruction& step) {
+  if (step.code >= Code::kCopy) {
+    run_with_constant(run, step);
+  } else if (is_binary(op_of(step.code))) {
+    run_binary(run, step);
+  } else if (is_unary(op_of(step.code))) {
+    run_unary(run, step);
+  } else {
+    fill(run, step);
   }
+}
+
+void RunPoints(const PointRun& run) {
+  for (const Instruction& step : run.instructions) run_step(run, step);
 }
 
 void RunSigns(const SignRun& run) {

@@ -33,7 +33,7 @@ class Writer {
   }
 
   Instruction instruction(const Tape::Step& step, std::uint32_t out) {
-    if (step.op == Op::kConstant) return {code_of(step.op), out, constant(step.value), 0};
+    if (step.op == Op::kConstant) return constant_instruction(out, step.value);
     const std::uint32_t a = register_of_[step.a];
     if (!is_binary(step.op)) return {code_of(step.op), out, a, 0};
     const std::uint32_t b = register_of_[step.b];
@@ -68,7 +68,8 @@ class Writer {
 Program::Program(const Tape& tape) {
   Writer writer(tape);
   const Listing wide{writer.instructions, writer.result(), writer.registers()};
-  const std::vector<Choice> none(writer.instructions.size());
+  BoxNotes none;
+  none.prepare(writer.instructions.size());
   std::vector<Instruction> room(writer.instructions.size());
   const Listing narrow = Specializer().specialize(wide, none, 0, Demand::kValue, room);
   instructions_.assign(narrow.instructions.begin(), narrow.instructions.end());

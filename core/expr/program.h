@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -29,9 +30,20 @@ enum class Code : std::uint8_t {
 struct Instruction {
   Code code;
   std::uint32_t out;  ///< A register.
-  std::uint32_t a;    ///< A register; of a constant, its index.
-  std::uint32_t b;    ///< A register or the index of a constant.
+  std::uint32_t a;    ///< A register; of a constant, half of its bits.
+  std::uint32_t b;    ///< A register or the index of a constant; the other half of the bits.
 };
+
+/// Writes `value`.
+[[nodiscard]] constexpr Instruction constant_instruction(std::uint32_t out, double value) {
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  return {static_cast<Code>(Op::kConstant), out, static_cast<std::uint32_t>(bits),
+          static_cast<std::uint32_t>(bits >> 32)};
+}
+/// What it writes. \pre It is a constant.
+[[nodiscard]] constexpr double constant_of(const Instruction& step) {
+  return std::bit_cast<double>(std::uint64_t{step.b} << 32 | step.a);
+}
 
 /// Registers that hold the coordinates and are never written.
 inline constexpr std::uint32_t kRegisterX = 0;

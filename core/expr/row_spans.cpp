@@ -166,7 +166,7 @@ const RowWords& RowSpans::draw(const SpanTile& tile, BlockRegisters& registers) 
   double* const values = registers.prepare(row_registers_, kSpanTile);
   row_values_ = values;
   std::copy(tile.ys.begin(), tile.ys.end(), values + std::size_t{kRowOfY} * kSpanTile);
-  run_points({row_steps_, constants_.data(), values, kSpanTile});
+  run_points({row_steps_, constants_.data(), values, kSpanTile, kSpanTile});
   for (std::size_t i = 0; i < joins_.size(); ++i) draw(joins_[i], tile, words_[i]);
   return signs(result_, tile, room_a_);
 }

@@ -73,10 +73,10 @@ void Specializer::keep(Instruction step, Demand demand) {
   emit(step);
 }
 
-Listing Specializer::specialize(const Listing& listing, std::span<const Choice> choices,
-                                std::size_t box, Demand demand, std::span<Instruction> room) {
+Listing Specializer::specialize(const Listing& listing, const BoxNotes& notes, std::size_t box,
+                                Demand demand, std::span<Instruction> room) {
   SLIPSTICK_DCHECK(room.size() >= listing.instructions.size());
-  SLIPSTICK_DCHECK(choices.size() >= listing.instructions.size());
+  SLIPSTICK_DCHECK(notes.choices.size() >= listing.instructions.size());
   room_ = room;
   first_ = room.size();
   registers_ = kFirstFree;
@@ -88,8 +88,11 @@ Listing Specializer::specialize(const Listing& listing, std::span<const Choice> 
     const Instruction& step = listing.instructions[i];
     const Demand wanted = std::exchange(old_[step.out].demand, Demand::kNothing);
     if (wanted == Demand::kNothing) continue;
-    if (const auto stands = stand_in(step, choices[i], box, wanted)) {
+    const Choice& choice = notes.choices[i];
+    if (const auto stands = stand_in(step, choice, box, wanted)) {
       forward(step, *stands, wanted);
+    } else if (rounds(step.code) && ((choice.settled >> box) & 1) != 0) {
+      keep(constant_instruction(step.out, notes.settled[choice.values][box]), wanted);
     } else {
       keep(step, wanted);
     }

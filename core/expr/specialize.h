@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -13,12 +14,37 @@ inline constexpr std::size_t kBoxesMax = 16;
 
 /// For one min or max, a bit a box: which operand alone gives the value there, and which one alone
 /// gives the sign of it. Nothing is said of an operand that may be NaN and would be left out.
+/// For floor and its like: where the value is one, and which of the settled values it is.
 struct Choice {
   std::uint16_t value_is_a = 0;
   std::uint16_t value_is_b = 0;
   std::uint16_t sign_is_a = 0;
   std::uint16_t sign_is_b = 0;
+  std::uint16_t settled = 0;
+  std::uint16_t values = 0;
 };
+
+/// So many are noted of a listing, as many as `Choice::values` can count.
+inline constexpr std::size_t kSettledMax = 1 << 16;
+/// A value for each box.
+using SettledValues = std::array<double, kBoxesMax>;
+
+/// What bounding a listing over boxes has told of its instructions. Keeps its memory.
+struct BoxNotes {
+  std::vector<Choice> choices;  ///< One an instruction; set for min, max and what rounds.
+  std::vector<SettledValues> settled;
+
+  void prepare(std::size_t instructions) {
+    if (choices.size() < instructions) choices.resize(instructions);
+    settled.clear();
+  }
+};
+
+/// Whether the value is a whole number, so that it may well be the same all over a box.
+[[nodiscard]] constexpr bool rounds(Code code) {
+  return code >= code_of(Op::kFloor) && code <= code_of(Op::kRound);
+}
+static_assert(code_of(Op::kFloor) < code_of(Op::kCeil) && code_of(Op::kCeil) < code_of(Op::kRound));
 
 /// What of the result must be kept: its bits, or only whether it is <= 0, > 0 or NaN.
 enum class Demand : std::uint8_t { kNothing, kSign, kValue };
@@ -27,10 +53,10 @@ enum class Demand : std::uint8_t { kNothing, kSign, kValue };
 /// instruction to the first. Keeps its memory.
 class Specializer {
  public:
-  /// \param choices One for each instruction; those that are no min or max are not read.
+  /// \param notes Of this listing over boxes, of which `box` is one.
   /// \param room At least as long as the listing; the shorter one is written to its end.
-  [[nodiscard]] Listing specialize(const Listing& listing, std::span<const Choice> choices,
-                                   std::size_t box, Demand demand, std::span<Instruction> room);
+  [[nodiscard]] Listing specialize(const Listing& listing, const BoxNotes& notes, std::size_t box,
+                                   Demand demand, std::span<Instruction> room);
 
  private:
   // By what follows; its new register only where there is a demand.

@@ -23,7 +23,7 @@ struct Shared {
   Program program;
   BlockRegisters registers;
   Specializer specializer;
-  std::vector<Choice> choices;
+  BoxNotes notes;
   std::vector<Instruction> room;
 };
 
@@ -63,12 +63,12 @@ class ExprSection final : public Section {
   [[nodiscard]] Narrowed narrowed(const Box2& box) override {
     Shared& s = *shared_;
     const std::size_t length = listing_.instructions.size();
-    if (s.choices.size() < length) s.choices.resize(length), s.room.resize(length);
+    if (s.room.size() < length) s.room.resize(length);
     const BoxBatch boxes{{box.low.x}, {box.high.x}, {box.low.y}, {box.high.y}, 1};
-    const BoxVerdict verdict = bound(listing_, s.program, boxes, s.registers, s.choices);
+    const BoxVerdict verdict = bound(listing_, s.program, boxes, s.registers, s.notes);
     if (verdict.at_most_zero != 0) return {Cover::kInside, nullptr};
     if (verdict.above_zero != 0) return {Cover::kOutside, nullptr};
-    const Listing inner = s.specializer.specialize(listing_, s.choices, 0, Demand::kValue, s.room);
+    const Listing inner = s.specializer.specialize(listing_, s.notes, 0, Demand::kValue, s.room);
     if (inner.instructions.size() == length || inner.instructions.empty()) return {};
     return {Cover::kMixed, std::make_unique<ExprSection>(shared_, inner)};
   }

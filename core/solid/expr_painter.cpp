@@ -6,9 +6,8 @@
 namespace slipstick {
 namespace {
 
-constexpr int kLeaf = 16;  // nodes a side of a tile that is evaluated node by node
+constexpr int kLeaf = static_cast<int>(kTileSide);
 constexpr int kRowTile = static_cast<int>(kSpanTile);
-static_assert(std::size_t{kLeaf} * kLeaf == kBlockPoints && 64 % kLeaf == 0);
 
 constexpr int kFanout = 4;  // tiles a side within a larger one
 constexpr int kTopFanout = 2;
@@ -73,9 +72,8 @@ BoxBatch ExprPainter::boxes(const Level& level, std::size_t count) const {
 void ExprPainter::batch(const Listing& listing, std::size_t depth, std::size_t count) {
   Level& level = levels_[depth];
   const std::size_t length = listing.instructions.size();
-  if (level.room.size() < length) level.room.resize(length), level.choices.resize(length);
-  const BoxVerdict verdict =
-      bound(listing, program_, boxes(level, count), registers_, level.choices);
+  if (level.room.size() < length) level.room.resize(length);
+  const BoxVerdict verdict = bound(listing, program_, boxes(level, count), registers_, level.notes);
   for (std::size_t i = 0; i < count; ++i) {
     const Tile tile = level.tiles[i];
     if ((verdict.above_zero >> i & 1) != 0) continue;
@@ -85,7 +83,7 @@ void ExprPainter::batch(const Listing& listing, std::size_t depth, std::size_t c
       continue;
     }
     const Listing inner =
-        specializer_.specialize(listing, level.choices, i, Demand::kSign, level.room);
+        specializer_.specialize(listing, level.notes, i, Demand::kSign, level.room);
     const bool defined = (verdict.undefined >> i & 1) == 0;
     if (level.size == kRowTile && defined && row_spans_.lower(inner, program_.constants())) {
       spans(inner, tile);
@@ -140,14 +138,15 @@ void ExprPainter::nodes(const Listing& listing, const Tile& tile) {
   double* const values = registers_.prepare(listing.registers, kBlockPoints);
   const int first_column = tile.column_low / kLeaf * kLeaf;
   const int first_row = tile.row_low / kLeaf * kLeaf;
-  for (int i = 0; i < kLeaf; ++i) values[i] = grid.node_x(first_column + i);
-  for (int row = 1; row < kLeaf; ++row)
-    std::copy_n(values, kLeaf, values + std::ptrdiff_t{row} * kLeaf);
-  for (int row = 0; row < kLeaf; ++row) {
-    std::fill_n(values + kBlockPoints + std::ptrdiff_t{row} * kLeaf, kLeaf,
-                grid.node_y(first_row + row));
+  for (int i = 0; i < kLeaf; ++i) {
+    values[i] = grid.node_x(first_column + i);
+    values[kBlockPoints + static_cast<std::size_t>(i)] = grid.node_y(first_row + i);
   }
-  run_points({listing.instructions, program_.constants().data(), values, kBlockPoints});
+  states_.assign(listing.registers, {});
+  states_[kRegisterX] = {true, false, false};
+  states_[kRegisterY] = {false, true, false};
+  run_tile(
+      {listing.instructions, program_.constants().data(), values, states_.data(), listing.result});
   std::array<std::uint64_t, kBlockPoints / 64> inside{}, undefined{};
   const SignRun signs{values + listing.result * kBlockPoints, kBlockPoints, inside.data(),
                       undefined.data()};

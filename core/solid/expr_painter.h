@@ -35,7 +35,7 @@ class ExprPainter {
   // One level of the tree: what its tiles share.
   struct Level {
     int size;  // nodes a side
-    std::vector<Choice> choices;
+    BoxNotes notes;
     std::vector<Instruction> room;
     std::array<Tile, kBoxesMax> tiles{};
   };
@@ -54,6 +54,7 @@ class ExprPainter {
   Specializer specializer_;
   RowSpans row_spans_;
   std::vector<Level> levels_;
+  std::vector<TileRegister> states_;
   std::optional<Vec2> undefined_;
 };
 
