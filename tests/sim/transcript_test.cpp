@@ -89,9 +89,16 @@ struct RealDialogue {
     int line;
     const char* why;
   };
+  /// What was done to the printer behind a line, and not written down.
+  struct Deed {
+    int behind;
+    Moment at;
+    const char* words;
+  };
   const char* name;
   int baud = 0;
   std::vector<Reason> reasons = {};
+  std::vector<Deed> deeds = {};
 };
 
 // Marlin 2.1.2, built as a process of its own; a second in it is one of the machine's clock.
@@ -117,7 +124,15 @@ std::vector<RealDialogue> real_dialogues() {
           {"window", 0, {{24, kChunks}, {46, kChunks}}},
           {"window-uart", 115200, {{24, kTransmitter}, {55, kTransmitter}}},
           {"job2000"},
-          {"faults", 0, {{68, kAveraged}, {105, kStillHeated}, {181, kMorePower}}}};
+          {"faults", 0, {{68, kAveraged}, {105, kStillHeated}, {181, kMorePower}}},
+          {"wire"},
+          {"printcore-noise"},
+          {"faults2",
+           0,
+           {},
+           {{30, Moment(4'900'000), "nozzle open"},
+            {105, Moment(30'580'000), "nozzle cold"},
+            {173, Moment(1'806'000), "reset"}}}};
 }
 
 // The control of a heater goes on its own beat, which no dialogue tells: the nozzle's each 0.164 s,
@@ -132,6 +147,11 @@ void check_real(const std::filesystem::path& folder, const RealDialogue& dialogu
   auto lines = read_transcript(content(file));
   INFO(file);
   REQUIRE(lines.size() > 1);
+  for (const RealDialogue::Deed& deed : dialogue.deeds) {
+    const auto behind = std::find_if(lines.begin(), lines.end(),
+                                     [&](const auto& line) { return line.number > deed.behind; });
+    lines.insert(behind, {test::TranscriptLine::Kind::kBench, deed.at, deed.words, deed.behind});
+  }
   for (auto& line : lines) {
     if (line.text.starts_with("hotend ")) line.text.replace(0, 6, "nozzle");
   }

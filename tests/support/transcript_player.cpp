@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "tests/support/bench_cable.h"
 #include "tests/support/printer_ear.h"
 
 namespace slipstick::test {
@@ -37,6 +38,11 @@ struct Exchange {
   }
 };
 
+/// "reset", "reset 1", "reset: host opened the port".
+bool is_reset(const TranscriptLine& line) {
+  return line.kind == Kind::kBench && line.text.starts_with("reset");
+}
+
 /// Whether `line` begins something new after `before`.
 bool begins_exchange(const TranscriptLine& line, const Exchange& before) {
   const TranscriptLine* last = before.last();
@@ -59,7 +65,7 @@ std::vector<Exchange> exchanges_of(const std::vector<TranscriptLine>& lines) {
     Exchange& now = exchanges.back();
     if (line.kind == Kind::kHost) now.bytes += line.text;
     if (line.kind == Kind::kPrinter) now.answers.push_back(&line);
-    now.resets = now.resets || (line.kind == Kind::kBench && line.text == "reset");
+    now.resets = now.resets || is_reset(line);
   }
   return exchanges;
 }
@@ -101,28 +107,39 @@ class Player {
 
   void play(const Exchange& exchange, Moment pause) {
     if (exchange.resets) ear_ = PrinterEar(options_);
+    heard_.clear();
     if (exchange.said != nullptr && exchange.said->kind == Kind::kBench) {
-      do_to(ear_.printer(), exchange.said->text);
+      bench(exchange.said->text);
     }
     const Moment began = ear_.printer().now();
-    if (!exchange.bytes.empty()) ear_.printer().receive(exchange.bytes, began);
-    heard_.clear();
+    const std::string through = cable_.to_board(exchange.bytes);
+    if (!through.empty()) ear_.printer().receive(through, began);
     Moment last = began;
     while (heard_.size() < exchange.answers.size()) {
       const auto line = ear_.next_line(began + patience(exchange));
       if (!line) break;
       last = line->at;
-      heard_.push_back({line->at - began, line->text});
+      hear(*line, began);
     }
-    while (const auto line = ear_.next_line(last + pause)) {
-      heard_.push_back({line->at - began, line->text});
-    }
+    while (const auto line = ear_.next_line(last + pause)) hear(*line, began);
     if (!exchange.is_boot()) compare(exchange);
   }
 
   [[nodiscard]] const std::vector<Difference>& differences() const { return differences_; }
 
  private:
+  /// Something is done to the cable or to the printer; "say X" comes as if from the printer.
+  void bench(const std::string& words) {
+    if (words.starts_with("say ")) heard_.push_back({Moment(0), words.substr(4)});
+    if (!cable_.command(words)) do_to(ear_.printer(), words);
+  }
+
+  void hear(const PrinterEar::Heard& line, Moment began) {
+    for (std::string& text : cable_.to_host(line.text)) {
+      heard_.push_back({line.at - began, std::move(text)});
+    }
+  }
+
   [[nodiscard]] double allowed(double delay) const {
     return tolerance_.seconds + tolerance_.share * delay;
   }
@@ -141,6 +158,7 @@ class Player {
       const bool expects = i < answers.size();
       const bool hears = i < heard_.size();
       std::string expected(expects ? answers[i]->text : kNothing);
+      if (expects) expected.erase(0, cable_.take_noise());
       std::string heard(hears ? heard_[i].text : kNothing);
       if (expects && hears && says_the_same(heard, expected, tolerance_)) {
         const auto delay = delay_of(exchange, *answers[i]);
@@ -160,6 +178,7 @@ class Player {
   PrinterOptions options_;
   Tolerance tolerance_;
   PrinterEar ear_;
+  BenchCable cable_;
   std::vector<PrinterEar::Heard> heard_;  ///< In this exchange, since its start.
   std::vector<Difference> differences_;
 };
