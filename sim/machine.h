@@ -8,14 +8,15 @@ namespace slipstick {
 
 /// Everything of the printer that commands change, and how it stands when it is switched on.
 struct Machine {
-  Machine(const Vec3& volume, const Planner::Sink& sink)
-      : build_volume(volume), planner(sink), move_sink(sink) {}
+  Machine(const Vec3& volume, const Planner::Sink& sink,
+          const HeaterOptions& hot_end = nozzle_options())
+      : build_volume(volume), planner(sink), move_sink(sink), nozzle(hot_end) {}
 
   Vec3 build_volume;  ///< Soft endstops are 0 and these.
   MotionLimits limits;
   Planner planner;
   Planner::Sink move_sink;
-  Heater nozzle{nozzle_options()};
+  Heater nozzle;
   Heater bed{bed_options()};
   int fan = 0;  ///< 0 to 255.
 

@@ -21,6 +21,7 @@ struct PrinterOptions {
   double corrupt = 0;      ///< Share of bytes damaged, each way.
   std::uint64_t seed = 1;  ///< Of all chance.
   Vec3 build_volume{220, 220, 250};
+  HeaterOptions nozzle = nozzle_options();
   Personality personality = default_personality();
   std::vector<FaultSpec> faults = {};
 };

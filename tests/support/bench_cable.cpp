@@ -52,7 +52,7 @@ std::string BenchCable::to_board(std::string_view bytes) {
   if (deaf_ != 0) return through;
   for (char byte : bytes) {
     if (take(drop_rx_)) continue;
-    const bool due = flip_every_ != 0 && ++since_flip_ % flip_every_ == 0;
+    const bool due = flip_every_ != 0 && byte != '\n' && ++since_flip_ % flip_every_ == 0;
     if (take(flip_rx_) || due) byte = static_cast<char>(byte ^ kFlipped);
     through += byte;
   }

@@ -43,6 +43,11 @@ bool is_reset(const TranscriptLine& line) {
   return line.kind == Kind::kBench && line.text.starts_with("reset");
 }
 
+/// Whether the clock went back because only the bench's port was opened anew.
+bool is_unplugged(const TranscriptLine& line) {
+  return line.kind == Kind::kBench && line.text.starts_with("port gone");
+}
+
 /// Whether `line` begins something new after `before`.
 bool begins_exchange(const TranscriptLine& line, const Exchange& before) {
   const TranscriptLine* last = before.last();
@@ -57,7 +62,8 @@ std::vector<Exchange> exchanges_of(const std::vector<TranscriptLine>& lines) {
   for (const TranscriptLine& line : lines) {
     if (begins_exchange(line, exchanges.back())) {
       const TranscriptLine* last = exchanges.back().last();
-      const bool back = last != nullptr && line.at && last->at && *line.at < *last->at;
+      const bool back =
+          last != nullptr && line.at && last->at && *line.at < *last->at && !is_unplugged(*last);
       exchanges.emplace_back();
       if (line.kind != Kind::kPrinter) exchanges.back().said = &line;
       exchanges.back().resets = back;

@@ -24,9 +24,10 @@ struct Difference {
 /// before have come and as much later as is written, and compares what it hears line by line.
 ///
 /// Where no times are written, an answer is waited for 10 minutes, and what should not come 0.1 s.
-/// The bench's "reset", and times that go back, switch the printer off and on again; "nozzle open",
-/// "bed short", "cold" or "stuck" break a heater; "say X" says it in the printer's place; the cable
-/// is harmed by what bench_cable.h tells. A banner that is not written down is not compared.
+/// The bench's "reset", and times that go back other than behind "port gone", switch the printer
+/// off and on again; "nozzle open", "bed short", "cold" or "stuck" break a heater; "say X" says it
+/// in the printer's place; the cable is harmed by what bench_cable.h tells. A banner that is not
+/// written down is not compared.
 [[nodiscard]] std::vector<Difference> play_transcript(const std::vector<TranscriptLine>& lines,
                                                       const PrinterOptions& options,
                                                       const Tolerance& tolerance = {});
