@@ -99,9 +99,9 @@ struct RealDialogue {
   int baud = 0;
   std::vector<Reason> reasons = {};
   std::vector<Deed> deeds = {};
-  HeaterOptions nozzle = nozzle_options();
-  int from = 1;   ///< The first line that is replayed.
-  int speed = 1;  ///< How much faster that board's clock went.
+  HeaterOptions nozzle = nozzle_options();  ///< As measured in the dialogue.
+  int from = 1;                             ///< The first line that is replayed.
+  int speed = 1;                            ///< How much faster that board's clock went.
 };
 
 // Marlin 2.1.2, built as a process of its own; a second in it is one of the machine's clock.
@@ -109,11 +109,14 @@ constexpr const char* kNoTimer = "there is no timer of the print job";
 constexpr const char* kLate = "how far it moves depends on when the line was read, to 4 ms";
 constexpr const char* kKeeps = "a little above the room that board's nozzle keeps its heat longer";
 constexpr const char* kSettles = "nearing its target it is 2 °C or 1 s off: the controls' beats";
-constexpr const char* kAveraged = "that board averages its sensor: it is 0.2 s later";
+constexpr const char* kAveraged = "that board averages its sensor: it is 0.2 to 0.3 s later";
 constexpr const char* kStillHeated = "that bench cut the power more than a second after it said so";
 constexpr const char* kMorePower = "a stuck heater there has half as much again as its full power";
 constexpr const char* kSlow = "0.3 s more than the way takes at its speed; later arcs agree";
 constexpr const char* kChunks = "that board reads a whole line at a time, and flushes between";
+constexpr const char* kAhead = "the host went on before the ok had come";
+constexpr const char* kByte = "that bench harmed another byte of the line";
+constexpr const char* kBehind = "its clock, five times as fast, fell behind";
 constexpr const char* kStarting = "the host asked before that board had started";
 constexpr const char* kTransmitter = "that board has a transmit buffer and flushes without waiting";
 
@@ -132,14 +135,25 @@ std::vector<RealDialogue> real_dialogues() {
           {"wire"},
           {.name = "printcore-noise",
            .baud = 115200 / 5,
-           .reasons = {{34, kStarting}},
+           .reasons = {{34, kStarting},
+                       {37, kBehind},
+                       {506, kAhead},
+                       {511, kAhead},
+                       {514, kAhead},
+                       {515, kAhead},
+                       {2506, kByte},
+                       {2686, kByte},
+                       {3574, kByte},
+                       {3664, kByte}},
            .from = 7,
            .speed = 5},
           {.name = "faults2",
+           .reasons = {{63, kAveraged}},
            .deeds = {{30, Moment(4'900'000), "nozzle open"},
                      {110, Moment(30'580'000), "nozzle cold"},
-                     {173, Moment(1'806'000), "reset"}},
-           .nozzle = {.rise_max = 2900, .time_constant = 155}}};
+                     {173, Moment(1'806'000), "reset"},
+                     {200, Moment(1'865'000), "reset"}},
+           .nozzle = {.rise_max = 17.5 * 155, .time_constant = 155}}};
 }
 
 // The control of a heater goes on its own beat, which no dialogue tells: the nozzle's each 0.164 s,
