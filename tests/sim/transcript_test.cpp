@@ -40,25 +40,42 @@ TEST_CASE("The simulated printer says what the dialogues say") {
   CHECK(count >= 8);
 }
 
-TEST_CASE("A dialogue is read with its times, marks and bytes") {
-  const auto lines = read_transcript(
-      "# how it begins\n"
-      "  0.501 >> G28\n"
-      "2 << echo:busy\\r\n"
-      "## control: flip-rx 1\n"
-      "> a\\nb\\x00\\\\\\n\n"
-      "\n"
-      "! reset\n"
-      "anything else\n");
+namespace {
+
+constexpr const char* kWritten =
+    "# how it begins\n"
+    "  0.501 >> G28\n"
+    "2 << echo:busy\\r\n"
+    "## control: flip-rx 1\n"
+    "> a\\nb\\x00\\\\\\n\n"
+    "\n"
+    "! reset\n"
+    "anything else\n";
+
+}  // namespace
+
+TEST_CASE("A dialogue is read with its marks and bytes") {
+  const auto lines = read_transcript(kWritten);
 
   using Kind = test::TranscriptLine::Kind;
   REQUIRE(lines.size() == 5);
-  CHECK((lines[0].kind == Kind::kHost && lines[0].text == "G28\n"));
-  CHECK((lines[0].at == Moment(501'000) && lines[0].number == 2));
-  CHECK((lines[1].kind == Kind::kPrinter && lines[1].text == "echo:busy\r"));
-  CHECK((lines[2].kind == Kind::kBench && lines[2].text == "flip-rx 1"));
-  CHECK(lines[3].text == std::string("a\nb\0\\\n", 6));
-  CHECK((lines[4].kind == Kind::kBench && lines[4].text == "reset" && !lines[4].at));
+  const auto is = [&](std::size_t i, Kind kind, const std::string& text) {
+    return lines[i].kind == kind && lines[i].text == text;
+  };
+  CHECK(is(0, Kind::kHost, "G28\n"));
+  CHECK(is(1, Kind::kPrinter, "echo:busy\r"));
+  CHECK(is(2, Kind::kBench, "flip-rx 1"));
+  CHECK(is(3, Kind::kHost, std::string("a\nb\0\\\n", 6)));
+  CHECK(is(4, Kind::kBench, "reset"));
+}
+
+TEST_CASE("A dialogue is read with its times and lines") {
+  const auto lines = read_transcript(kWritten);
+
+  REQUIRE(lines.size() == 5);
+  CHECK(lines[0].at == Moment(501'000));
+  CHECK(lines[0].number == 2);
+  CHECK_FALSE(lines[4].at);
 }
 
 TEST_CASE("Another word, a missing one, one too many and one too late are differences") {
