@@ -17,5 +17,6 @@ namespace slipstick::targets {
 [[nodiscard]] std::vector<Row> edge_rows();
 [[nodiscard]] std::vector<Row> error_rows();
 [[nodiscard]] std::vector<Row> placement_rows();
+[[nodiscard]] std::vector<Row> certificate_rows();
 
 }  // namespace slipstick::targets
