@@ -155,11 +155,12 @@ function difference(a, ...)
   return raw.boxed_as(max(a, -folded("difference", two(min), ...)), a)
 end
 
--- Blends: a polynomial minimum that rounds the seam over a width of k.
+-- Blends: a polynomial minimum that rounds the seam over a width of k, written so that nothing is chosen between a and b
+-- along the seam: bounds of it and of its gradient stay narrow there.
+local function within(d, k) return min(max(d, -k), k) end
 local function smooth_min(k)
   return function(a, b)
-    local h = max(k - abs(a - b), 0) / k
-    local blend = min(a, b) - square(h) * (k / 4)
+    local blend = min(b, a + k) - square(k - within(a - b, k)) / (4 * k)
     return raw.boxed_around(blend, min(a, b), k / 4)
   end
 end
@@ -169,8 +170,8 @@ function smooth_union(k, ...)
 end
 local function smooth_max(k)
   return function(a, b)
-    local h = max(k - abs(a - b), 0) / k
-    return raw.boxed_as(max(a, b) + square(h) * (k / 4), max(a, b))
+    local blend = max(b, a - k) + square(k + within(a - b, k)) / (4 * k)
+    return raw.boxed_as(blend, max(a, b))
   end
 end
 function smooth_intersection(k, ...)

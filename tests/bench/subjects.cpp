@@ -99,6 +99,15 @@ std::vector<Subject> edge_subjects() {
   return subjects;
 }
 
+PlacedSolid example_on_bed() {
+  const auto loaded =
+      load_model(std::string(SLIPSTICK_SOURCE_DIR) + "/configs/solids/gyroid_sphere.lua", {});
+  SLIPSTICK_CHECK(loaded.has_value());
+  const auto placed = place_on_bed(*loaded->model, {}, {100, 100});
+  SLIPSTICK_CHECK(placed.has_value());
+  return *placed;
+}
+
 std::vector<Subject> filigree_layers() {
   constexpr double kInch = 25.4;
   constexpr double kSampling = 0.0025 * kInch;  // paper, table 1

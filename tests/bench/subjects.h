@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/image/bit_image.h"
+#include "core/job/placement.h"
 #include "core/solid/solid.h"
 
 namespace slipstick::bench {
@@ -38,6 +39,9 @@ struct Subject {
 /// 3200 nodes a side, as a layer of the paper's Filigree: two of about as many sticks (26,000), and
 /// a real model of five times as many.
 [[nodiscard]] std::vector<Subject> filigree_layers();
+
+/// The demo, `configs/solids/gyroid_sphere.lua`, in the middle of a bed of 200 mm.
+[[nodiscard]] PlacedSolid example_on_bed();
 
 /// The folder that SLIPSTICK_MODELS names, or nothing: rows that need real models are left out and
 /// say so.

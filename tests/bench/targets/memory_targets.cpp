@@ -1,14 +1,10 @@
 #include <fmt/format.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <array>
-#include <fstream>
 
 #include "core/base/check.h"
 #include "host/layer_slicer.h"
 #include "host/slicing_job.h"
 #include "tests/bench/subjects.h"
+#include "tests/bench/targets/process_memory.h"
 #include "tests/bench/targets/targets.h"
 
 namespace slipstick::targets {
@@ -17,39 +13,9 @@ using namespace bench;
 
 namespace {
 
-// A line of /proc/self/status, in MB.
-double status_mb(const std::string& name) {
-  std::ifstream status("/proc/self/status");
-  for (std::string word; status >> word;) {
-    double kib = 0;
-    if (word == name && status >> kib) return kib / 1024;
-  }
-  return 0;
-}
-
-// Runs `measure` in a process of its own and gives its result: the peak of a process never comes
-// down.
-double in_child(const std::function<double()>& measure) {
-  std::array<int, 2> ends{};
-  SLIPSTICK_CHECK(::pipe(ends.data()) == 0);
-  const pid_t child = ::fork();
-  SLIPSTICK_CHECK(child >= 0);
-  if (child == 0) {
-    const double result = measure();
-    ::_exit(::write(ends[1], &result, sizeof result) == sizeof result ? 0 : 1);
-  }
-  double result = 0;
-  SLIPSTICK_CHECK(::read(ends[0], &result, sizeof result) == sizeof result);
-  ::waitpid(child, nullptr, 0);
-  ::close(ends[0]);
-  ::close(ends[1]);
-  return result;
-}
-
 // MB beyond the loaded solid while every layer is sliced into contours, two workers.
 double slicing_mb(const std::shared_ptr<const Solid>& solid, double sampling) {
-  std::ofstream("/proc/self/clear_refs") << 5;  // the peak begins anew: loading is not slicing
-  const double loaded = status_mb("VmRSS:");
+  const double loaded = begin_peak_anew();  // loading is not slicing
   SlicingRequest request;
   request.settings.slicing.sampling = sampling;
   request.settings.slicing.layer_height = 0.254;
@@ -63,7 +29,7 @@ double slicing_mb(const std::shared_ptr<const Solid>& solid, double sampling) {
     SLIPSTICK_CHECK(layer.has_value());
     if (!*layer) break;
   }
-  return status_mb("VmHWM:") - loaded;
+  return peak_mb() - loaded;
 }
 
 }  // namespace

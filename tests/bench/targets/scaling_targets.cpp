@@ -1,24 +1,17 @@
 #include <fmt/format.h>
 
 #include "core/base/check.h"
-#include "core/job/placement.h"
-#include "host/load_model.h"
 #include "host/slicing_job.h"
+#include "tests/bench/subjects.h"
 #include "tests/bench/targets/targets.h"
 
 namespace slipstick::targets {
+
+using namespace bench;
+
 namespace {
 
 constexpr int kRounds = 5;
-
-PlacedSolid example() {
-  const auto loaded =
-      load_model(std::string(SLIPSTICK_SOURCE_DIR) + "/configs/solids/gyroid_sphere.lua", {});
-  SLIPSTICK_CHECK(loaded.has_value());
-  const auto placed = place_on_bed(*loaded->model, {}, {100, 100});
-  SLIPSTICK_CHECK(placed.has_value());
-  return *placed;
-}
 
 void slice(const PlacedSolid& placed, double sampling, int threads) {
   SlicingRequest request;
@@ -39,7 +32,7 @@ void slice(const PlacedSolid& placed, double sampling, int threads) {
 }  // namespace
 
 std::vector<Row> scaling_rows() {
-  const PlacedSolid placed = example();
+  const PlacedSolid placed = example_on_bed();
   const Timing coarse = cpu_seconds(kRounds, [&] { slice(placed, 0.05, 1); });
   const Timing fine = cpu_seconds(kRounds, [&] { slice(placed, 0.025, 1); });
   const double halved = fine.least / coarse.least;

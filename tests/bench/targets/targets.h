@@ -18,5 +18,6 @@ namespace slipstick::targets {
 [[nodiscard]] std::vector<Row> error_rows();
 [[nodiscard]] std::vector<Row> placement_rows();
 [[nodiscard]] std::vector<Row> certificate_rows();
+[[nodiscard]] std::vector<Row> simulation_rows();
 
 }  // namespace slipstick::targets

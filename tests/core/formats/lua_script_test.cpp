@@ -65,6 +65,33 @@ TEST_CASE("Transforms and set operations do what they are called") {
   CHECK(inside("smooth_union(2, sphere(1), sphere(1):move(2.2, 0, 0))", {1.1, 0, 0.2}));
 }
 
+TEST_CASE("A blend is the polynomial minimum of its width, whichever comes first") {
+  constexpr double k = 2;
+  for (int i = 0; i < 400; ++i) {
+    const double a = -3 + 0.31 * (i % 20);
+    const double b = -3 + 0.29 * (i / 20);
+    const double h = std::max(k - std::abs(a - b), 0.0) / k;
+    const double least = std::min(a, b) - h * h * k / 4;
+    const double most = std::max(a, b) + h * h * k / 4;
+    if (std::min(std::abs(least), std::abs(most)) < 1e-9) continue;
+    for (const std::string both : {"x, y", "y, x"}) {
+      INFO(both << " at " << a << ", " << b);
+      CHECK(inside("smooth_union(2, " + both + "):bounds(-9, -9, -9, 9, 9, 9)", {a, b, 0}) ==
+            (least < 0));
+      CHECK(inside("smooth_intersection(2, " + both + "):bounds(-9, -9, -9, 9, 9, 9)", {a, b, 0}) ==
+            (most < 0));
+    }
+  }
+}
+
+TEST_CASE("A blend with what is infinitely far away is the other") {
+  for (const std::string both : {"x, 1 / abs(z)", "1 / abs(z), x"}) {
+    const std::string script = "smooth_union(2, " + both + "):bounds(-9, -9, -9, 9, 9, 9)";
+    CHECK(inside(script, {-1, 0, 0}));
+    CHECK_FALSE(inside(script, {1, 0, 0}));
+  }
+}
+
 TEST_CASE("Lattices have their period") {
   for (const std::string name : {"gyroid", "schwarz_p", "diamond", "lidinoid"}) {
     const std::string script = "intersection(box(90, 90, 90), " + name + "(10, 1))";
