@@ -57,7 +57,7 @@ class Run {
                judge_options(settings)),
         deposit_(settings.printer.filament_diameter,
                  [this](const ExtrudedSegment& bead) { judge_.add(bead); }),
-        player_(settings.printer.bed_size, [this](const ExecutedMove& move) { take(move); }) {}
+        player_({.build_volume = settings.printer.bed_size}, [this](const ExecutedMove& move) { take(move); }) {}
 
   void show_to(const GcodeWatch& watch) {
     if (watch.layers) judge_.show_to(watch.layers);

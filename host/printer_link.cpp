@@ -9,7 +9,7 @@ Result<PrinterLink> open_simulator(const TransportAddress& address, Vec3 build_v
                                    const Planner::Sink& sink) {
   auto options = sim_options({address.options.begin(), address.options.end()});
   if (!options) return fail(options.error());
-  options->printer.build_volume = build_volume;
+  options->printer.machine.build_volume = build_volume;
   auto transport = std::make_unique<SimTransport>(*options, sink);
   SimTransport* sim = transport.get();
   return PrinterLink{std::move(transport), nullptr, &sim->clock(),

@@ -102,6 +102,10 @@ bool Executor::run_motion(const GcodeCommand& command, Moment now) {
     case 114:
       text_ += position_report(machine_, now);
       return true;
+    case 900:
+      if (!machine_.options.features.has(Feature::kLinearAdvance)) return false;
+      set_advance(command);
+      return true;
     default:
       return false;
   }
@@ -166,119 +170,11 @@ bool Executor::run_talk(const GcodeCommand& command) {
   }
 }
 
-Axes Executor::destination(const GcodeCommand& command) const {
-  const Axes& from = machine_.position;
-  const auto coordinate = [&](char name, double was, bool relative) {
-    const double value = command.value(name).value_or(relative ? 0 : was);
-    return std::clamp(relative ? was + value : value, -kFarthest, kFarthest);
-  };
-  return {coordinate('X', from.x, machine_.relative), coordinate('Y', from.y, machine_.relative),
-          coordinate('Z', from.z, machine_.relative), coordinate('E', from.e, machine_.relative_e)};
-}
-
-Axes Executor::within_endstops(Axes to) const {
-  if (!machine_.homed || !machine_.soft_endstops) return to;
-  const Axes& shift = machine_.shift;
-  const Vec3& volume = machine_.build_volume;
-  to.x = std::clamp(to.x + shift.x, 0.0, volume.x) - shift.x;
-  to.y = std::clamp(to.y + shift.y, 0.0, volume.y) - shift.y;
-  to.z = std::clamp(to.z + shift.z, 0.0, volume.z) - shift.z;
-  return to;
-}
-
-double Executor::allowed_extrusion(double e) {
-  if (e == 0) return 0;
-  if (machine_.nozzle.celsius() < machine_.extrude_celsius_min) {
-    text_ += kColdExtrusion;
-    return 0;
-  }
-  if (std::abs(e) > kExtrusionMax) {
-    text_ += kLongExtrusion;
-    return 0;
-  }
-  return e;
-}
-
-void Executor::take_feedrate(const GcodeCommand& command) {
-  if (const double f = command.value('F').value_or(0); f > 0) machine_.feedrate = f / 60;
-}
-
-void Executor::move(const GcodeCommand& command) {
-  take_feedrate(command);
-  head_for(within_endstops(destination(command)));
-}
-
-void Executor::arc(const GcodeCommand& command) {
-  take_feedrate(command);
-  arc_ = Arc::of(command, machine_.position, destination(command));
-  piece_ = 1;
-  if (!head_for_next_piece()) text_ += kBadArc;
-}
-
-bool Executor::head_for_next_piece() {
-  if (!arc_) return false;
-  head_for(within_endstops(arc_->end_of(piece_)));
-  if (piece_ == arc_->pieces()) arc_.reset();
-  ++piece_;
-  return true;
-}
-
-void Executor::head_for(const Axes& to) {
-  const double e = allowed_extrusion(to.e - machine_.position.e);
-  machine_.filament += e * machine_.flow_percent / 100;
-  machine_.position = to;
-  const Axes& shift = machine_.shift;
-  target_ = {to.x + shift.x, to.y + shift.y, to.z + shift.z, machine_.filament};
-  speed_ = std::max(Planner::kSlowest, machine_.feedrate * machine_.feedrate_percent / 100);
-  stage_ = Stage::kRoom;
-}
-
-void Executor::quick_stop(Moment now) {
-  const Axes at = machine_.planner.stop(now);
-  const Axes& shift = machine_.shift;
-  machine_.filament = at.e;
-  machine_.position = {at.x - shift.x, at.y - shift.y, at.z - shift.z, machine_.position.e};
-  arc_.reset();
-  target_ = at;
-}
-
 void Executor::dwell(const GcodeCommand& command) {
   wait_ = Moment(0);
   if (const auto p = command.value('P')) wait_ = moment_of_seconds(*p / 1000);
   if (const auto s = command.value('S')) wait_ = moment_of_seconds(*s);
   become_still(Stage::kDwell);
-}
-
-void Executor::home(const GcodeCommand& command) {
-  const bool all = !command.has('X') && !command.has('Y') && !command.has('Z');
-  homed_to_ = machine_.planner.target();
-  homed_to_.e = machine_.filament;
-  homed_shift_ = machine_.shift;
-  if (all || command.has('X')) homed_to_.x = homed_shift_.x = 0;
-  if (all || command.has('Y')) homed_to_.y = homed_shift_.y = 0;
-  if (all || command.has('Z')) homed_to_.z = homed_shift_.z = 0;
-  wait_ = kHomingTime;
-  become_still(Stage::kHome);
-}
-
-void Executor::finish_homing(Moment now) {
-  machine_.planner.set_position(homed_to_);
-  machine_.position = {homed_to_.x - homed_shift_.x, homed_to_.y - homed_shift_.y,
-                       homed_to_.z - homed_shift_.z, machine_.position.e};
-  machine_.shift = homed_shift_;
-  machine_.homed = true;
-  text_ += position_report(machine_, now);
-}
-
-void Executor::rename_position(const GcodeCommand& command, Moment now) {
-  const Axes was = machine_.position;
-  Axes& p = machine_.position;
-  const auto named = [&](char name, double old) {
-    return std::clamp(command.value(name).value_or(old), -kFarthest, kFarthest);
-  };
-  p = {named('X', was.x), named('Y', was.y), named('Z', was.z), named('E', was.e)};
-  machine_.shift = machine_.shift + (was - p);
-  text_ += position_report(machine_, now);
 }
 
 void Executor::wait_for_heater(const GcodeCommand& command, Heater& heater, Moment now) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -68,12 +69,15 @@ class Executor {
   void move(const GcodeCommand& command);
   void arc(const GcodeCommand& command);
   void take_feedrate(const GcodeCommand& command);
+  /// mm/s that moves are asked for.
+  [[nodiscard]] double speed() const;
   /// Plans the way to `to`, in the commands' own coordinates, as soon as there is room.
   void head_for(const Axes& to);
-  /// Goes on with the arc. \return Whether there was more of it.
+  /// Goes on with the way in pieces. \return Whether there was more of it.
   [[nodiscard]] bool head_for_next_piece();
   void dwell(const GcodeCommand& command);
   void home(const GcodeCommand& command);
+  void set_advance(const GcodeCommand& command);
   void finish_homing(Moment now);
   void rename_position(const GcodeCommand& command, Moment now);
   void wait_for_heater(const GcodeCommand& command, Heater& heater, Moment now);
@@ -98,8 +102,13 @@ class Executor {
 
   Axes target_;  ///< Of the move that waits for room.
   double speed_ = 0;
-  std::optional<Arc> arc_;  ///< Of which `piece_` is the next to plan.
-  int piece_ = 0;
+  /// A way in pieces, of which `next` is to be planned.
+  struct Way {
+    std::function<Axes(int)> end_of;
+    int pieces = 0;
+    int next = 1;
+  };
+  std::optional<Way> way_;
 
   Stage after_still_ = Stage::kDone;
   Moment wait_{0};   ///< How long to dwell once still.

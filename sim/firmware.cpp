@@ -176,7 +176,7 @@ void Firmware::begin_command(Moment now) {
     return;
   }
   if (command && command->is('M', 115)) {
-    text_ += identity_report(personality_);
+    text_ += identity_report(personality_, machine_.options.features);
     ok_due_ = late_ok && !personality_.identity.starts_with("ok");
     return;
   }

@@ -25,8 +25,8 @@ std::string_view complaint_in(std::string_view text) {
 
 }  // namespace
 
-GcodePlayer::GcodePlayer(const Vec3& build_volume, const Planner::Sink& sink)
-    : machine_(build_volume, sink), executor_(machine_) {}
+GcodePlayer::GcodePlayer(const MachineOptions& machine, const Planner::Sink& sink)
+    : machine_(machine, sink), executor_(machine_) {}
 
 void GcodePlayer::play(std::string_view line) {
   ++number_;

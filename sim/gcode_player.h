@@ -28,7 +28,7 @@ class GcodePlayer {
   /// get so hot) is given up.
   static constexpr Moment kPatience = std::chrono::hours(25);
 
-  GcodePlayer(const Vec3& build_volume, const Planner::Sink& sink);
+  GcodePlayer(const MachineOptions& machine, const Planner::Sink& sink);
 
   /// Gets the machine each time when time has passed.
   using Watcher = std::function<void(Moment now, const Machine&)>;

@@ -42,7 +42,21 @@ std::string set_accelerations(const GcodeCommand& command, MotionLimits& limits)
   return any ? std::string() : acceleration_line(limits);
 }
 
+std::string set_jerk(const GcodeCommand& command, MotionLimits& limits) {
+  Axes& jerk = *limits.jerk;
+  bool any = take(command, 'X', jerk.x);
+  any |= take(command, 'Y', jerk.y);
+  any |= take(command, 'Z', jerk.z);
+  any |= take(command, 'E', jerk.e);
+  if (const auto b = command.value('B')) {
+    limits.segment_seconds_min = std::clamp(*b / 1e6, 0.0, 1.0);
+    any = true;
+  }
+  return any ? std::string() : advanced_line(limits);
+}
+
 std::string set_advanced(const GcodeCommand& command, MotionLimits& limits) {
+  if (limits.jerk) return set_jerk(command, limits);
   constexpr double kDeviationMin = 0.01;
   constexpr double kDeviationMax = 0.3;
   const auto b = command.value('B');

@@ -1,18 +1,32 @@
 #pragma once
 
 #include "core/base/vec.h"
+#include "sim/features.h"
 #include "sim/heater.h"
 #include "sim/planner.h"
 
 namespace slipstick {
 
+/// What a printer is built of.
+struct MachineOptions {
+  Vec3 build_volume{220, 220,
+                    250};  ///< Soft endstops are 0 and these; of a delta see kinematics.h.
+  Kinematics kinematics = {};
+  MotionLimits limits = {};  ///< When it is switched on.
+  HeaterOptions nozzle = nozzle_options();
+  Features features = {};
+};
+
 /// Everything of the printer that commands change, and how it stands when it is switched on.
 struct Machine {
-  Machine(const Vec3& volume, const Planner::Sink& sink,
-          const HeaterOptions& hot_end = nozzle_options())
-      : build_volume(volume), planner(sink), move_sink(sink), nozzle(hot_end) {}
+  Machine(const MachineOptions& built, const Planner::Sink& sink)
+      : options(built),
+        limits(built.limits),
+        planner(sink, built.kinematics),
+        move_sink(sink),
+        nozzle(built.nozzle) {}
 
-  Vec3 build_volume;  ///< Soft endstops are 0 and these.
+  MachineOptions options;
   MotionLimits limits;
   Planner planner;
   Planner::Sink move_sink;
@@ -58,7 +72,7 @@ struct Machine {
   void reset() {
     const Heater was_nozzle = nozzle;
     const Heater was_bed = bed;
-    *this = Machine(build_volume, move_sink);
+    *this = Machine(options, move_sink);
     nozzle = was_nozzle;
     bed = was_bed;
     nozzle.shut_off();

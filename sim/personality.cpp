@@ -325,12 +325,12 @@ std::string banner_report(const Personality& personality, const Machine& machine
   return text;
 }
 
-std::string identity_report(const Personality& personality) {
+std::string identity_report(const Personality& personality, const Features& features) {
   std::string text(personality.identity);
   std::string_view rest = personality.capabilities;
   while (!rest.empty()) {
     const std::size_t end = std::min(rest.find(' '), rest.size());
-    text += fmt::format("Cap:{}\n", rest.substr(0, end));
+    text += fmt::format("Cap:{}\n", capability_with(features, rest.substr(0, end)));
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }
   return text;

@@ -66,6 +66,6 @@ struct Personality {
 /// What it says when it has booted, and to M115.
 [[nodiscard]] std::string banner_report(const Personality& personality, const Machine& machine,
                                         ResetCause cause);
-[[nodiscard]] std::string identity_report(const Personality& personality);
+[[nodiscard]] std::string identity_report(const Personality& personality, const Features& features);
 
 }  // namespace slipstick

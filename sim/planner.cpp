@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/base/check.h"
 
@@ -19,10 +18,6 @@ Moment rounded_up(double seconds) {
 
 /// Ends are doubles, events whole microseconds: an end this close to now has come.
 constexpr double kSlack = 1e-9;
-/// Moves shorter than this that turn by less than 45° are taken as pieces of an arc.
-constexpr double kArcPieceMax = 1.0;
-constexpr double kStraight = 0.999999;
-
 bool is_too_short(const Axes& delta, const Axes& steps_per_mm) {
   const auto d = delta.all();
   const auto s = steps_per_mm.all();
@@ -39,23 +34,18 @@ double base_acceleration(const Axes& delta, const MotionLimits& limits) {
 
 }  // namespace
 
-double Planner::junction2(const Block& before, const Block& after,
-                          const MotionLimits& limits) const {
-  const double straightness = std::min(dot(before.direction, after.direction), kStraight);
-  if (straightness < -kStraight) return kSlowest * kSlowest;
-  const Axes turn = after.direction - before.direction;
-  const double turn_length = length(turn);
-  const double along = turn_length > 0 ? limited(after.acceleration, (1 / turn_length) * turn,
-                                                 limits.acceleration_max)
-                                       : after.acceleration;
-  // Half angle identities, with θ the angle inside the corner: cos θ = -straightness.
-  const double sine = std::sqrt((1 + straightness) / 2);
-  double speed2 = along * limits.junction_deviation * sine / (1 - sine);
-  if (after.length < kArcPieceMax && straightness > std::numbers::sqrt2 / 2) {
-    speed2 = std::min(speed2, along * after.length / std::acos(straightness));
+/// A move that follows on no other starts from rest: with classic jerk, at the speed that all axes
+/// may start with.
+void Planner::plan_entry(Block& b, const MotionLimits& limits) const {
+  if (waiting() > 0) {
+    const Leg& before = block(count_ - 1).leg;
+    const double speed = limits.jerk ? jerk_speed(before, b.leg, *limits.jerk) : 0;
+    b.entry2_max = limits.jerk ? speed * speed : deviation_speed2(before, b.leg, limits);
+  } else if (limits.jerk) {
+    const double speed = safe_speed(b.leg, *limits.jerk);
+    b.entry2_max = speed * speed;
+    b.entry2 = std::min(b.entry2_max, 2 * b.leg.acceleration * b.leg.length);
   }
-  const double cruise = std::min(before.cruise, after.cruise);
-  return std::min(speed2, cruise * cruise);
 }
 
 Planner::Block Planner::planned(const Axes& target, double speed,
@@ -63,26 +53,32 @@ Planner::Block Planner::planned(const Axes& target, double speed,
   const Axes delta = target - target_;
   const double path = slipstick::length(delta.xyz());
   Block b;
-  b.length = path > 0 ? path : std::abs(delta.e);
-  b.direction = (1 / b.length) * delta;
-  b.cruise = speed;
+  Leg& leg = b.leg;
+  leg.length = path > 0 ? path : std::abs(delta.e);
+  b.direction = (1 / leg.length) * delta;
+  leg.motors = (1 / leg.length) * (kinematics_.motors(target) - kinematics_.motors(target_));
+  leg.corner = kinematics_.corner_direction(b.direction, leg.motors);
+  leg.cruise = speed;
 
   // SLOWDOWN: the fewer moves are queued, the longer short ones take.
-  const int waiting = count_ - (moving_ ? 1 : 0);
-  const double seconds = b.length / speed;
-  if (waiting >= 2 && waiting < kBlocks / 2 && seconds < limits.segment_seconds_min) {
-    b.cruise = b.length / (seconds + 2 * (limits.segment_seconds_min - seconds) / waiting);
+  const double seconds = leg.length / speed;
+  if (waiting() >= 2 && waiting() < kBlocks / 2 && seconds < limits.segment_seconds_min) {
+    leg.cruise = leg.length / (seconds + 2 * (limits.segment_seconds_min - seconds) / waiting());
   }
-  b.cruise = limited(b.cruise, b.direction, limits.speed_max);
-  b.acceleration = limited(base_acceleration(delta, limits), b.direction, limits.acceleration_max);
-  if (waiting > 0) b.entry2_max = junction2(block(count_ - 1), b, limits);
-  b.move = {target_, target, b.cruise, 0, 0};
+  leg.cruise = limited(leg.cruise, leg.motors, limits.speed_max);
+  leg.acceleration =
+      advance_limited(base_acceleration(delta, limits), path > 0 ? b.direction.e : 0, limits);
+  leg.acceleration = limited(leg.acceleration, leg.motors, limits.acceleration_max);
+  plan_entry(b, limits);
+  b.move = {target_, target, leg.cruise, 0, 0};
   return b;
 }
 
 void Planner::add(const Axes& target, double speed, const MotionLimits& limits, Moment now) {
   SLIPSTICK_CHECK(!full() && speed > 0);
-  if (is_too_short(target - target_, limits.steps_per_mm)) return;
+  if (is_too_short(kinematics_.motors(target) - kinematics_.motors(target_), limits.steps_per_mm)) {
+    return;
+  }
 
   block(count_) = planned(target, speed, limits);
   target_ = target;
@@ -99,13 +95,13 @@ void Planner::look_ahead() {
   double next2 = 0;
   for (int i = count_ - 1; i > fixed; --i) {
     Block& b = block(i);
-    b.entry2 = std::min(b.entry2_max, next2 + 2 * b.acceleration * b.length);
+    b.entry2 = std::min(b.entry2_max, next2 + 2 * b.leg.acceleration * b.leg.length);
     next2 = b.entry2;
   }
   for (int i = fixed; i + 1 < count_; ++i) {
     const Block& b = block(i);
     Block& after = block(i + 1);
-    after.entry2 = std::min(after.entry2, b.entry2 + 2 * b.acceleration * b.length);
+    after.entry2 = std::min(after.entry2, b.entry2 + 2 * b.leg.acceleration * b.leg.length);
   }
 }
 
@@ -117,7 +113,8 @@ double Planner::start_seconds() const {
 void Planner::start(double at) {
   Block& b = block(0);
   const double exit2 = count_ > 1 ? block(1).entry2 : 0;
-  profile_ = Trapezoid({b.length, std::sqrt(b.entry2), b.cruise, std::sqrt(exit2), b.acceleration});
+  profile_ = Trapezoid(
+      {b.leg.length, std::sqrt(b.entry2), b.leg.cruise, std::sqrt(exit2), b.leg.acceleration});
   b.move.start_seconds = at;
   b.move.end_seconds = at + profile_.seconds();
   moving_ = true;

@@ -7,22 +7,12 @@
 
 #include "drivers/clock.h"
 #include "sim/axes.h"
+#include "sim/junction.h"
+#include "sim/kinematics.h"
+#include "sim/motion_limits.h"
 #include "sim/trapezoid.h"
 
 namespace slipstick {
-
-/// How fast the machine may move: what M201, M203, M204 and M205 set. Marlin's default
-/// configuration.
-struct MotionLimits {
-  Axes steps_per_mm{80, 80, 400, 500};
-  Axes speed_max{300, 300, 5, 25};                ///< mm/s.
-  Axes acceleration_max{3000, 3000, 100, 10000};  ///< mm/s².
-  double print_acceleration = 3000;
-  double retract_acceleration = 3000;
-  double travel_acceleration = 3000;
-  double junction_deviation = 0.013;   ///< mm.
-  double segment_seconds_min = 0.020;  ///< Shorter moves are stretched while few are queued.
-};
 
 /// A straight move that the machine has made.
 struct ExecutedMove {
@@ -48,10 +38,11 @@ struct MotionStatistics {
 
 /// Marlin's motion planner: a ring of 16 moves of which 15 can be used, trapezoids, look-ahead.
 ///
-/// The speed at a corner comes from junction deviation; a backward and a forward pass then join the
-/// moves that have not begun, so that the machine can always stop at the end of the last one. A
-/// move that follows a standstill waits 100 ms for company, or until three are queued. As in
-/// Marlin, moves of less than 6 steps are kept back and made together with the next one.
+/// The speed at a corner comes from junction deviation or classic jerk (junction.h); a backward and
+/// a forward pass then join the moves that have not begun, so that the machine can always stop at
+/// the end of the last one. A move that follows a standstill waits 100 ms for company, or until
+/// three are queued. As in Marlin, moves of less than 6 steps are kept back and made together with
+/// the next one.
 class Planner {
  public:
   static constexpr int kBlocks = 16;
@@ -59,12 +50,13 @@ class Planner {
   static constexpr int kStepsMin = 6;
   static constexpr int kCompany = 3;
   static constexpr double kFirstMoveDelay = 0.1;
-  static constexpr double kSlowest = 0.05;  ///< mm/s: at a corner that turns right back.
+  static constexpr double kSlowest = 0.05;  ///< mm/s: no move is slower.
 
   using Sink = std::function<void(const ExecutedMove&)>;
 
   /// `sink` gets every move when it ends, in order; it may be empty.
-  explicit Planner(Sink sink) : sink_(std::move(sink)) {}
+  explicit Planner(Sink sink, const Kinematics& kinematics = {})
+      : sink_(std::move(sink)), kinematics_(kinematics) {}
 
   [[nodiscard]] bool full() const { return count_ == kUsable; }
   [[nodiscard]] bool idle() const { return count_ == 0; }
@@ -98,9 +90,7 @@ class Planner {
   struct Block {
     ExecutedMove move;
     Axes direction;  ///< Per mm of path.
-    double length = 0;
-    double cruise = 0;
-    double acceleration = 0;
+    Leg leg;
     double entry2 = 0;  ///< Squared speeds, as all in look-ahead.
     double entry2_max = 0;
   };
@@ -111,14 +101,16 @@ class Planner {
     return static_cast<std::size_t>((first_ + i) % kBlocks);
   }
   [[nodiscard]] Block planned(const Axes& target, double speed, const MotionLimits& limits) const;
-  [[nodiscard]] double junction2(const Block& before, const Block& after,
-                                 const MotionLimits& limits) const;
+  void plan_entry(Block& block, const MotionLimits& limits) const;
+  /// Moves that have not begun.
+  [[nodiscard]] int waiting() const { return count_ - (moving_ ? 1 : 0); }
   [[nodiscard]] double start_seconds() const;
   void look_ahead();
   void start(double at);
   void finish();
 
   Sink sink_;
+  Kinematics kinematics_;
   std::array<Block, kBlocks> blocks_;
   int first_ = 0;
   int count_ = 0;

@@ -14,8 +14,7 @@ constexpr std::uint64_t kOtherDirection = 0x5EED;
 }  // namespace
 
 Printer::Printer(const PrinterOptions& options, const Planner::Sink& sink)
-    : machine_(
-          std::make_unique<Machine>(options.build_volume, through(spool_, sink), options.nozzle)),
+    : machine_(std::make_unique<Machine>(options.machine, through(spool_, sink))),
       personality_(options.personality),
       firmware_(std::make_unique<Firmware>(*machine_, personality_, Moment(0))),
       to_board_(options.baud, FaultPlan(options.corrupt, options.seed)),

@@ -20,8 +20,7 @@ struct PrinterOptions {
   int baud = 0;            ///< 0 is native USB: no pacing, and the board lets the host wait.
   double corrupt = 0;      ///< Share of bytes damaged, each way.
   std::uint64_t seed = 1;  ///< Of all chance.
-  Vec3 build_volume{220, 220, 250};
-  HeaterOptions nozzle = nozzle_options();
+  MachineOptions machine = {};
   Personality personality = default_personality();
   std::vector<FaultSpec> faults = {};
 };

@@ -36,8 +36,11 @@ std::string acceleration_line(const MotionLimits& limits) {
 }
 
 std::string advanced_line(const MotionLimits& limits) {
-  return fmt::format("  M205 B{:.2f} S0.00 T0.00 J{:.2f}\n", limits.segment_seconds_min * 1e6,
-                     limits.junction_deviation);
+  const std::string corners = limits.jerk
+                                  ? fmt::format("X{:.2f} Y{:.2f} Z{:.2f} E{:.2f}", limits.jerk->x,
+                                                limits.jerk->y, limits.jerk->z, limits.jerk->e)
+                                  : fmt::format("J{:.2f}", limits.junction_deviation);
+  return fmt::format("  M205 B{:.2f} S0.00 T0.00 {}\n", limits.segment_seconds_min * 1e6, corners);
 }
 
 std::string settings_report(const Machine& machine) {
@@ -60,22 +63,29 @@ std::string settings_report(const Machine& machine) {
          "echo:; Acceleration (units/s2) (P<print-accel> R<retract-accel> T<travel-accel>):\n"
          "echo:" +
          acceleration_line(limits) +
-         "echo:; Advanced (B<min_segment_time_us> S<min_feedrate> T<min_travel_feedrate> "
-         "J<junc_dev>):\n"
+         "echo:; Advanced (B<min_segment_time_us> S<min_feedrate> T<min_travel_feedrate> " +
+         (limits.jerk ? "X<max_jerk> Y<max_jerk> Z<max_jerk> E<max_jerk>" : "J<junc_dev>") +
+         "):\n"
          "echo:" +
          advanced_line(limits) +
          "echo:; Home offset:\n"
          "echo:  M206 X0.00 Y0.00 Z0.00\n"
          "echo:; Hotend PID:\n"
-         "echo:  M301 P22.20 I1.08 D114.00\n";
+         "echo:  M301 P22.20 I1.08 D114.00\n" +
+         (machine.options.features.has(Feature::kLinearAdvance)
+              ? fmt::format("echo:; Linear Advance:\necho:  M900 K{:.2f}\n", limits.advance)
+              : "");
 }
 
 std::string position_report(const Machine& machine, Moment now) {
   const Axes& p = machine.position;
-  const Axes at = machine.planner.position(now);
+  const Kinematics& kinematics = machine.options.kinematics;
+  const Axes at = kinematics.motors(machine.planner.position(now));
   const Axes& per_mm = machine.limits.steps_per_mm;
-  return fmt::format("X:{:.2f} Y:{:.2f} Z:{:.2f} E:{:.2f} Count X:{} Y:{} Z:{}\n", p.x, p.y, p.z,
-                     p.e, steps(at.x, per_mm.x), steps(at.y, per_mm.y), steps(at.z, per_mm.z));
+  const std::string_view names = kinematics.motor_names();
+  return fmt::format("X:{:.2f} Y:{:.2f} Z:{:.2f} E:{:.2f} Count {}:{} {}:{} {}:{}\n", p.x, p.y, p.z,
+                     p.e, names[0], steps(at.x, per_mm.x), names[1], steps(at.y, per_mm.y),
+                     names[2], steps(at.z, per_mm.z));
 }
 
 std::string temperature_text(const Machine& machine) {

@@ -31,14 +31,16 @@ std::string run_endstops(const GcodeCommand& command, Machine& machine) {
     machine.soft_endstops = *on != 0;
     return {};
   }
-  const Vec3& most = machine.build_volume;
-  return fmt::format("  M211 S{}\n  Min:  X0.00 Y0.00 Z0.00   Max:  X{:.2f} Y{:.2f} Z{:.2f}\n",
-                     machine.soft_endstops ? "1 ; ON" : "0 ; OFF", most.x, most.y, most.z);
+  const auto [least, most] = machine.options.kinematics.reach(machine.options.build_volume);
+  return fmt::format(
+      "  M211 S{}\n  Min:  X{:.2f} Y{:.2f} Z{:.2f}   Max:  X{:.2f} Y{:.2f} Z{:.2f}\n",
+      machine.soft_endstops ? "1 ; ON" : "0 ; OFF", least.x, least.y, least.z, most.x, most.y,
+      most.z);
 }
 
 /// There is nothing to load but what the firmware was built with.
 std::string load_defaults(Machine& machine) {
-  machine.limits = {};
+  machine.limits = machine.options.limits;
   return std::string(kDefaultsLoaded);
 }
 

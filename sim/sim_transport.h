@@ -3,26 +3,14 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
-#include <map>
 #include <mutex>
-#include <string>
 
 #include "drivers/transport.h"
 #include "sim/printer.h"
+#include "sim/sim_options.h"
 #include "sim/virtual_clock.h"
 
 namespace slipstick {
-
-struct SimOptions {
-  PrinterOptions printer;
-  bool realtime = false;  ///< Virtual time is paced to the machine's clock.
-};
-
-/// What the options of an address say: `sim:?seed=7&corrupt=0.002&baud=250000&realtime=1&
-/// firmware=marlin-2.1.2&fault=lose-ok,reset@line200`.
-///
-/// \return kInput for an option or a value that does not exist, with the ones that do.
-[[nodiscard]] Result<SimOptions> sim_options(const std::map<std::string, std::string>& options);
 
 /// The embedded printer as a transport, in virtual time: waiting for a byte makes time pass,
 /// computing does not.

@@ -30,7 +30,7 @@ TEST_CASE("A move is spread over the spans that it takes") {
 }
 
 TEST_CASE("A span is as hot as it was last seen, and one that was not seen as the one before") {
-  Machine machine({220, 220, 250}, {});
+  Machine machine(MachineOptions{}, {});
   Curves curves;
   machine.nozzle.set_target(200);
   machine.advance(at(20));
@@ -45,7 +45,7 @@ TEST_CASE("A span is as hot as it was last seen, and one that was not seen as th
 }
 
 TEST_CASE("However long the print, there are no more samples, and no way is lost") {
-  Machine machine({220, 220, 250}, {});
+  Machine machine(MachineOptions{}, {});
   Curves curves;
   for (int i = 0; i < 50'000; ++i) {
     curves.add({{0, 0, 0, 0}, {1, 0, 0, 0}, 1, i + 0.0, i + 1.0});

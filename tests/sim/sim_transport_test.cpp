@@ -30,9 +30,17 @@ TEST_CASE("The options of an address are read") {
                                     {"corrupt", "0.002"},
                                     {"baud", "250000"},
                                     {"realtime", "1"},
-                                    {"firmware", "marlin-2.1.2"}});
+                                    {"firmware", "marlin-2.1.2"},
+                                    {"kinematics", "delta"},
+                                    {"jerk", "classic"},
+                                    {"with", "linear-advance"}});
 
   REQUIRE(options);
+  const MachineOptions& machine = options->printer.machine;
+  CHECK(machine.kinematics.homes_all());
+  CHECK(machine.limits.speed_max.z == machine.limits.speed_max.x);
+  CHECK(machine.limits.jerk->z == 10);
+  CHECK(machine.features.has(Feature::kLinearAdvance));
   CHECK(options->printer.seed == 7);
   CHECK(options->printer.corrupt == 0.002);
   CHECK(options->printer.baud == 250000);
@@ -46,7 +54,11 @@ TEST_CASE("An unknown option or value is refused with what there is") {
                                                                       {"corrupt", "2"},
                                                                       {"seed", "-1"},
                                                                       {"realtime", "yes"},
-                                                                      {"firmware", "marlin"}}) {
+                                                                      {"firmware", "marlin"},
+                                                                      {"kinematics", "scara"},
+                                                                      {"jerk", "10"},
+                                                                      {"fault", "bad-luck"},
+                                                                      {"with", "wings"}}) {
     const auto options = sim_options({{name, value}});
     INFO(name << "=" << value);
     REQUIRE_FALSE(options);

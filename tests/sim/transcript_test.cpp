@@ -180,8 +180,8 @@ constexpr test::Tolerance kReal{.celsius = 0.25 + 0.66, .bed_celsius = 0.25 + 6.
 void check_real(const std::filesystem::path& folder, const RealDialogue& dialogue) {
   PrinterOptions options;
   options.baud = dialogue.baud;
-  options.nozzle = dialogue.nozzle;
-  options.build_volume = {200, 200, 200};
+  options.machine.nozzle = dialogue.nozzle;
+  options.machine.build_volume = {200, 200, 200};
   const auto file = folder / (std::string("marlin-2.1.2-") + dialogue.name + ".txt");
   auto lines = read_transcript(content(file));
   INFO(file);

@@ -1,0 +1,158 @@
+#include "sim/sim_options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "core/base/number_text.h"
+
+namespace slipstick {
+
+namespace {
+
+constexpr double kBaudMax = 10'000'000;
+constexpr double kSeedMax = 9e15;
+constexpr std::size_t kFaultsMax = 64;
+
+/// The number `text` if it is within the limits.
+std::optional<double> number_in(const std::string& text, double low, double high) {
+  const auto value = parse_number(text);
+  if (!value || *value < low || *value > high) return std::nullopt;
+  return value;
+}
+
+bool is_whole(double value) {
+  return value == std::floor(value);
+}
+
+// Each takes a value, or says what is wrong with it.
+
+using Taken = std::optional<std::string>;
+
+Taken take_baud(SimOptions& options, const std::string& value) {
+  const auto baud = number_in(value, 0, kBaudMax);
+  if (!baud || !is_whole(*baud)) return "give bits per second, 0 for USB";
+  options.printer.baud = static_cast<int>(*baud);
+  return {};
+}
+
+Taken take_corrupt(SimOptions& options, const std::string& value) {
+  const auto share = number_in(value, 0, 1);
+  if (!share) return "give the share of bytes damaged, 0 to 1";
+  options.printer.corrupt = *share;
+  return {};
+}
+
+Taken take_faults(SimOptions& options, const std::string& value) {
+  for (std::string_view list = value; !list.empty();) {
+    const std::size_t end = std::min(list.find(','), list.size());
+    const auto spec = FaultSpec::parse(list.substr(0, end));
+    if (!spec) return spec.error().message;
+    if (options.printer.faults.size() == kFaultsMax) {
+      return fmt::format("give at most {} faults", kFaultsMax);
+    }
+    options.printer.faults.push_back(*spec);
+    list.remove_prefix(std::min(end + 1, list.size()));
+  }
+  return {};
+}
+
+Taken take_firmware(SimOptions& options, const std::string& value) {
+  const auto personality = find_personality(value);
+  if (!personality) return "give one of " + personality_names();
+  options.printer.personality = *personality;
+  return {};
+}
+
+Taken take_jerk(SimOptions& options, const std::string& value) {
+  if (value != "classic" && value != "deviation") return "give classic or deviation";
+  auto& limits = options.printer.machine.limits;
+  limits.jerk = value == "classic" ? std::optional(kDefaultJerk) : std::nullopt;
+  return {};
+}
+
+Taken take_kinematics(SimOptions& options, const std::string& value) {
+  const auto kinematics = Kinematics::named(value);
+  if (!kinematics) return "give cartesian, corexy or delta";
+  options.printer.machine.kinematics = *kinematics;
+  return {};
+}
+
+Taken take_realtime(SimOptions& options, const std::string& value) {
+  if (value != "0" && value != "1") return "give 0 or 1";
+  options.realtime = value == "1";
+  return {};
+}
+
+Taken take_seed(SimOptions& options, const std::string& value) {
+  const auto seed = number_in(value, 0, kSeedMax);
+  if (!seed || !is_whole(*seed)) return "give a whole number";
+  options.printer.seed = static_cast<std::uint64_t>(*seed);
+  return {};
+}
+
+Taken take_features(SimOptions& options, const std::string& value) {
+  for (std::string_view list = value; !list.empty();) {
+    const std::size_t end = std::min(list.find(','), list.size());
+    const auto feature = find_feature(list.substr(0, end));
+    if (!feature) return "give some of " + feature_names();
+    options.printer.machine.features.add(*feature);
+    list.remove_prefix(std::min(end + 1, list.size()));
+  }
+  return {};
+}
+
+struct Option {
+  std::string_view name;
+  Taken (*take)(SimOptions&, const std::string&);
+};
+
+constexpr std::array kOptions = std::to_array<Option>({{"baud", take_baud},
+                                                       {"corrupt", take_corrupt},
+                                                       {"fault", take_faults},
+                                                       {"firmware", take_firmware},
+                                                       {"jerk", take_jerk},
+                                                       {"kinematics", take_kinematics},
+                                                       {"realtime", take_realtime},
+                                                       {"seed", take_seed},
+                                                       {"with", take_features}});
+
+std::string option_names() {
+  std::string names;
+  for (const Option& option : kOptions) names.append(names.empty() ? "" : ", ").append(option.name);
+  return names;
+}
+
+/// What has to be known of all options at once.
+void settle(MachineOptions& machine) {
+  // A delta's towers are alike: each is as the default configuration's X.
+  if (!machine.kinematics.homes_all()) return;
+  MotionLimits& limits = machine.limits;
+  limits.steps_per_mm.z = limits.steps_per_mm.x;
+  limits.speed_max.z = limits.speed_max.x;
+  limits.acceleration_max.z = limits.acceleration_max.x;
+  if (limits.jerk) limits.jerk->z = limits.jerk->x;
+}
+
+}  // namespace
+
+Result<SimOptions> sim_options(const std::map<std::string, std::string>& options) {
+  SimOptions result;
+  for (const auto& [name, value] : options) {
+    const auto* known = std::ranges::find(kOptions, name, &Option::name);
+    if (known == kOptions.end()) {
+      return fail(ErrorCode::kInput,
+                  fmt::format("sim: no option {}: there are {}", name, option_names()));
+    }
+    if (const Taken wanted = known->take(result, value)) {
+      return fail(ErrorCode::kInput, fmt::format("sim: option {}={}: {}", name, value, *wanted));
+    }
+  }
+  settle(result.printer.machine);
+  return result;
+}
+
+}  // namespace slipstick
