@@ -13,6 +13,7 @@
 #include "core/job/layers.h"
 #include "core/region/level.h"
 #include "host/interrupt.h"
+#include "host/printer_link.h"
 #include "sim/deposit.h"
 
 namespace slipstick {
@@ -57,7 +58,8 @@ class Run {
                judge_options(settings)),
         deposit_(settings.printer.filament_diameter,
                  [this](const ExtrudedSegment& bead) { judge_.add(bead); }),
-        player_({.build_volume = settings.printer.bed_size}, [this](const ExecutedMove& move) { take(move); }) {}
+        player_(built(machine_like(settings.printer)),
+                [this](const ExecutedMove& move) { take(move); }) {}
 
   void show_to(const GcodeWatch& watch) {
     if (watch.layers) judge_.show_to(watch.layers);

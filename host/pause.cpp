@@ -9,8 +9,9 @@ constexpr double kMargin = 5;  // mm, for machines that do not quite reach the e
 
 ParkingPlace parking_place(const PrintSettings& settings) {
   const PrinterSettings& printer = settings.printer;
-  return {.x = kMargin,
-          .y = printer.bed_size.y - kMargin,
+  const bool round = printer.bed_shape == BedShape::kRound;
+  return {.x = round ? 0 : kMargin,
+          .y = printer.bed_size.y / (round ? 2 : 1) - kMargin,
           .height_max = printer.bed_size.z,
           .retraction = settings.material.retraction,
           .retraction_speed = settings.material.retraction_speed,

@@ -5,11 +5,11 @@
 namespace slipstick {
 namespace {
 
-Result<PrinterLink> open_simulator(const TransportAddress& address, Vec3 build_volume,
+Result<PrinterLink> open_simulator(const TransportAddress& address, const PrinterSettings& printer,
                                    const Planner::Sink& sink) {
-  auto options = sim_options({address.options.begin(), address.options.end()});
+  auto options =
+      sim_options({address.options.begin(), address.options.end()}, machine_like(printer));
   if (!options) return fail(options.error());
-  options->printer.machine.build_volume = build_volume;
   auto transport = std::make_unique<SimTransport>(*options, sink);
   SimTransport* sim = transport.get();
   return PrinterLink{std::move(transport), nullptr, &sim->clock(),
@@ -18,11 +18,18 @@ Result<PrinterLink> open_simulator(const TransportAddress& address, Vec3 build_v
 
 }  // namespace
 
-Result<PrinterLink> open_printer(std::string_view address, Vec3 build_volume,
+MachineOptions machine_like(const PrinterSettings& printer) {
+  const bool round = printer.bed_shape == BedShape::kRound;
+  return {
+      .build_volume = printer.bed_size,
+      .kinematics = Kinematics(round ? Kinematics::Kind::kDelta : Kinematics::Kind::kCartesian)};
+}
+
+Result<PrinterLink> open_printer(std::string_view address, const PrinterSettings& printer,
                                  const Planner::Sink& sink) {
   const auto parsed = parse_transport_address(address);
   if (!parsed) return fail(parsed.error());
-  if (parsed->kind == TransportKind::kSim) return open_simulator(*parsed, build_volume, sink);
+  if (parsed->kind == TransportKind::kSim) return open_simulator(*parsed, printer, sink);
   auto transport = open_transport(*parsed);
   if (!transport) return fail(transport.error());
   auto clock = std::make_unique<SteadyClock>();

@@ -3,6 +3,7 @@
 #include <memory>
 #include <string_view>
 
+#include "core/job/settings.h"
 #include "drivers/clock.h"
 #include "drivers/transport.h"
 #include "host/stream_job.h"
@@ -21,7 +22,11 @@ struct PrinterLink {
 
 /// Opens what `address` names (INTERFACES: PORT). \param sink gets every move of a simulated
 /// printer.
-[[nodiscard]] Result<PrinterLink> open_printer(std::string_view address, Vec3 build_volume,
+[[nodiscard]] Result<PrinterLink> open_printer(std::string_view address,
+                                               const PrinterSettings& printer,
                                                const Planner::Sink& sink);
+
+/// The simulated machine with the bed of `printer`: a delta where that is round.
+[[nodiscard]] MachineOptions machine_like(const PrinterSettings& printer);
 
 }  // namespace slipstick

@@ -17,6 +17,17 @@ struct MachineOptions {
   Features features = {};
 };
 
+/// `machine` with the limits that its kinematics need: the towers of a delta are alike, each as X.
+[[nodiscard]] inline MachineOptions built(MachineOptions machine) {
+  if (!machine.kinematics.homes_all()) return machine;
+  MotionLimits& limits = machine.limits;
+  limits.steps_per_mm.z = limits.steps_per_mm.x;
+  limits.speed_max.z = limits.speed_max.x;
+  limits.acceleration_max.z = limits.acceleration_max.x;
+  if (limits.jerk) limits.jerk->z = limits.jerk->x;
+  return machine;
+}
+
 /// Everything of the printer that commands change, and how it stands when it is switched on.
 struct Machine {
   Machine(const MachineOptions& built, const Planner::Sink& sink)

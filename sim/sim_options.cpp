@@ -126,21 +126,12 @@ std::string option_names() {
   return names;
 }
 
-/// What has to be known of all options at once.
-void settle(MachineOptions& machine) {
-  // A delta's towers are alike: each is as the default configuration's X.
-  if (!machine.kinematics.homes_all()) return;
-  MotionLimits& limits = machine.limits;
-  limits.steps_per_mm.z = limits.steps_per_mm.x;
-  limits.speed_max.z = limits.speed_max.x;
-  limits.acceleration_max.z = limits.acceleration_max.x;
-  if (limits.jerk) limits.jerk->z = limits.jerk->x;
-}
-
 }  // namespace
 
-Result<SimOptions> sim_options(const std::map<std::string, std::string>& options) {
+Result<SimOptions> sim_options(const std::map<std::string, std::string>& options,
+                               const MachineOptions& machine) {
   SimOptions result;
+  result.printer.machine = machine;
   for (const auto& [name, value] : options) {
     const auto* known = std::ranges::find(kOptions, name, &Option::name);
     if (known == kOptions.end()) {
@@ -151,7 +142,7 @@ Result<SimOptions> sim_options(const std::map<std::string, std::string>& options
       return fail(ErrorCode::kInput, fmt::format("sim: option {}={}: {}", name, value, *wanted));
     }
   }
-  settle(result.printer.machine);
+  result.printer.machine = built(result.printer.machine);
   return result;
 }
 

@@ -16,7 +16,9 @@ struct SimOptions {
 /// What the options of an address say: `sim:?seed=7&corrupt=0.002&baud=250000&realtime=1&
 /// firmware=marlin-2.1.2&fault=lose-ok,reset@line200&kinematics=corexy&jerk=classic`.
 ///
+/// \param machine what the options do not speak of.
 /// \return kInput for an option or a value that does not exist, with the ones that do.
-[[nodiscard]] Result<SimOptions> sim_options(const std::map<std::string, std::string>& options);
+[[nodiscard]] Result<SimOptions> sim_options(const std::map<std::string, std::string>& options,
+                                             const MachineOptions& machine = {});
 
 }  // namespace slipstick

@@ -34,6 +34,17 @@ double fit_factor(const Vec3& size, const Vec3& room) {
   return std::min({room.x / size.x, room.y / size.y, room.z / size.z});
 }
 
+bool fits_bed(const Box3& bounds, const PrinterSettings& printer) {
+  const Vec3 size = printer.bed_size;
+  if (printer.bed_shape == BedShape::kRound) {
+    const double x = std::max(-bounds.low.x, bounds.high.x);
+    const double y = std::max(-bounds.low.y, bounds.high.y);
+    return 2 * std::hypot(x, y) <= std::min(size.x, size.y);
+  }
+  return bounds.low.x >= 0 && bounds.low.y >= 0 && bounds.high.x <= size.x &&
+         bounds.high.y <= size.y;
+}
+
 }  // namespace
 
 Result<PlacedSolid> place_on_bed(const Model& model, const PlacementRequest& request,
@@ -58,16 +69,21 @@ Result<PlacedSolid> place_on_bed(const Model& model, const PlacementRequest& req
   return PlacedSolid{model.placed(map), bounds, inverse(map)};
 }
 
-Result<void> check_build_volume(const Box3& bounds, Vec3 size) {
+Vec2 bed_centre(const PrinterSettings& printer) {
+  if (printer.bed_shape == BedShape::kRound) return {0, 0};
+  return {printer.bed_size.x / 2, printer.bed_size.y / 2};
+}
+
+Result<void> check_build_volume(const Box3& bounds, const PrinterSettings& printer) {
   const Vec3 s = bounds.size();
-  const bool inside = bounds.low.x >= 0 && bounds.low.y >= 0 && bounds.high.x <= size.x &&
-                      bounds.high.y <= size.y && bounds.high.z <= size.z;
-  if (inside) return {};
+  const Vec3 size = printer.bed_size;
+  if (fits_bed(bounds, printer) && bounds.high.z <= size.z) return {};
   return fail(
       ErrorCode::kInput,
       fmt::format("the model is {:.4g} x {:.4g} x {:.4g} mm and does not fit the build volume "
-                  "of {:.4g} x {:.4g} x {:.4g} mm; use --fit or --scale",
-                  s.x, s.y, s.z, size.x, size.y, size.z));
+                  "of {:.4g} x {:.4g} x {:.4g} mm{}; use --fit or --scale",
+                  s.x, s.y, s.z, size.x, size.y, size.z,
+                  printer.bed_shape == BedShape::kRound ? ", which is round" : ""));
 }
 
 }  // namespace slipstick

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/base/result.h"
+#include "core/job/settings.h"
 #include "core/solid/solid.h"
 
 namespace slipstick {
@@ -29,8 +30,11 @@ struct PlacedSolid {
 [[nodiscard]] Result<PlacedSolid> place_on_bed(const Model& model, const PlacementRequest& request,
                                                Vec2 bed_centre);
 
-/// \return kInput if `bounds` is larger than or reaches out of a volume of `size` with its corner
-/// at 0.
-[[nodiscard]] Result<void> check_build_volume(const Box3& bounds, Vec3 size);
+/// The middle of the printer's bed.
+[[nodiscard]] Vec2 bed_centre(const PrinterSettings& printer);
+
+/// \return kInput if `bounds` is larger than or reaches out of what `printer` can print; on a round
+/// bed all corners of `bounds` must fit.
+[[nodiscard]] Result<void> check_build_volume(const Box3& bounds, const PrinterSettings& printer);
 
 }  // namespace slipstick

@@ -13,10 +13,17 @@ namespace slipstick {
 /// loaders,
 /// `--set key=value` and the reference in docs/ go through that table.
 
+/// Where the origin of a bed is.
+enum class BedShape : std::uint8_t {
+  kRectangle,  ///< At its front left corner.
+  kRound,      ///< In its middle, as of deltas.
+};
+
 /// The machine.
 struct PrinterSettings {
   std::string name = "Generic Marlin";
-  Vec3 bed_size{220, 220, 250};  ///< Build volume, origin at a corner.
+  Vec3 bed_size{220, 220, 250};  ///< Build volume.
+  BedShape bed_shape = BedShape::kRectangle;
   double nozzle_diameter = 0.4;
   double filament_diameter = 1.75;
   double acceleration = 1000;  ///< mm/s², printing.

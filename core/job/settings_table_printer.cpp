@@ -3,6 +3,8 @@
 namespace slipstick {
 namespace {
 
+constexpr std::string_view kBedShapes[] = {"rectangle", "round"};
+
 constexpr Setting kRows[] = {
     {"printer_name", SettingGroup::kPrinter, "",
      NameSetting{[](auto& s) -> decltype(auto) { return (s.printer.name); }},
@@ -16,6 +18,13 @@ constexpr Setting kRows[] = {
     {"bed_height", SettingGroup::kPrinter, "mm",
      NumberSetting{[](auto& s) -> decltype(auto) { return (s.printer.bed_size.z); }, 20, 2000},
      "Printable height. As bed_width."},
+    {"bed_shape", SettingGroup::kPrinter, "",
+     ChoiceSetting{
+         kBedShapes,
+         [](const PrintSettings& s) { return static_cast<std::size_t>(s.printer.bed_shape); },
+         [](PrintSettings& s, std::size_t i) { s.printer.bed_shape = static_cast<BedShape>(i); }},
+     "A rectangle has its origin at the front left corner; round has it in the middle, as deltas "
+     "do."},
     {"nozzle_diameter", SettingGroup::kPrinter, "mm",
      NumberSetting{[](auto& s) -> decltype(auto) { return (s.printer.nozzle_diameter); }, 0.1, 2},
      "Bore of the nozzle. It is stamped on its side; most machines come with 0.4."},

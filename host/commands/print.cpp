@@ -110,10 +110,10 @@ class PrintRun {
     if (!loaded) return fail(loaded.error());
     if (!loaded->warning.empty()) spdlog::warn("{}: {}", loaded->name, loaded->warning);
     const PrinterSettings& printer = request_.settings.printer;
-    const auto placed = place_on_bed(*loaded->model, command_.model.placement(),
-                                     {printer.bed_size.x / 2, printer.bed_size.y / 2});
+    const auto placed =
+        place_on_bed(*loaded->model, command_.model.placement(), bed_centre(printer));
     if (!placed) return fail(placed.error().within(loaded->name));
-    if (const auto fits = check_build_volume(placed->bounds, printer.bed_size); !fits) {
+    if (const auto fits = check_build_volume(placed->bounds, printer); !fits) {
       return fail(fits.error().within(loaded->name));
     }
     const double load_seconds = Stopwatch(total_).lap();
@@ -153,7 +153,7 @@ class PrintRun {
   }
 
   Result<void> connect() {
-    auto link = open_printer(command_.port, request_.settings.printer.bed_size, watch_->sink());
+    auto link = open_printer(command_.port, request_.settings.printer, watch_->sink());
     if (!link) return fail(link.error());
     link_ = std::move(*link);
     return journal_.find(*link_->transport, *link_->clock);

@@ -115,9 +115,8 @@ CommandResult run_judge(const SimCommand& command) {
   if (!request) return fail(request.error());
   const auto loaded = command.against.load();
   if (!loaded) return fail(loaded.error());
-  const Vec3 bed = request->settings.printer.bed_size;
-  const auto placed =
-      place_on_bed(*loaded->model, command.against.placement(), {bed.x / 2, bed.y / 2});
+  const auto placed = place_on_bed(*loaded->model, command.against.placement(),
+                                   bed_centre(request->settings.printer));
   if (!placed) return fail(placed.error().within(loaded->name));
   Drawings drawings(command);
   const auto verdict = judge_gcode(command.gcode, *placed, request->settings, drawings.watch());

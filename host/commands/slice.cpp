@@ -90,7 +90,7 @@ Result<double> run_job(SlicingJob& job, const Sinks& sinks, Stopwatch total) {
 
 Result<PlacedSolid> placed_on(const Model& model, const PlacementRequest& request,
                               const PrinterSettings& printer) {
-  return place_on_bed(model, request, {printer.bed_size.x / 2, printer.bed_size.y / 2});
+  return place_on_bed(model, request, bed_centre(printer));
 }
 
 CommandResult run_slice(const SliceCommand& command) {
@@ -107,7 +107,7 @@ CommandResult run_slice(const SliceCommand& command) {
       placed_on(*loaded->model, command.model.placement(), request->settings.printer);
   if (!placed) return fail(placed.error().within(loaded->name));
   if (toolpaths) {
-    const auto fits = check_build_volume(placed->bounds, request->settings.printer.bed_size);
+    const auto fits = check_build_volume(placed->bounds, request->settings.printer);
     if (!fits) return fail(fits.error().within(loaded->name));
   }
   const double load_seconds = Stopwatch(total).lap();

@@ -149,10 +149,10 @@ Result<PreparedModel> prepare_model(const std::string& path, const std::string& 
   if (!settings) return fail(settings.error());
   const auto loaded = load_model(path, spec.bounds);
   if (!loaded) return fail(loaded.error().within(name));
-  const Vec3 bed = settings->printer.bed_size;
-  auto placed = place_on_bed(*loaded->model, spec.placement, {bed.x / 2, bed.y / 2});
+  const PrinterSettings& printer = settings->printer;
+  auto placed = place_on_bed(*loaded->model, spec.placement, bed_centre(printer));
   if (!placed) return fail(placed.error().within(name));
-  if (const auto fits = check_build_volume(placed->bounds, bed); !fits) {
+  if (const auto fits = check_build_volume(placed->bounds, printer); !fits) {
     return fail(fits.error().within(name));
   }
   return PreparedModel{std::move(*placed), {std::move(*settings), goal, 0, 0, {}}, loaded->warning};

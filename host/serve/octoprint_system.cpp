@@ -53,14 +53,15 @@ HttpResponse octo_profiles(const HttpRequest&, Services& services) {
       {services.defaults.printer, services.defaults.material, services.defaults.profile, {}, {}});
   if (!settings) return error_response(settings.error());
   const PrinterSettings& printer = settings->printer;
+  const bool round = printer.bed_shape == BedShape::kRound;
   Json profile{{"id", "_default"},
                {"name", printer.name},
                {"current", true},
                {"default", true},
                {"heatedBed", true},
                {"volume",
-                {{"formFactor", "rectangular"},
-                 {"origin", "lowerleft"},
+                {{"formFactor", round ? "circular" : "rectangular"},
+                 {"origin", round ? "center" : "lowerleft"},
                  {"width", printer.bed_size.x},
                  {"depth", printer.bed_size.y},
                  {"height", printer.bed_size.z}}},

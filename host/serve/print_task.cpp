@@ -115,7 +115,7 @@ class TaskRun {
   }
 
   Result<void> connect(const PrinterSettings& printer) {
-    auto link = open_printer(task_.port, printer.bed_size, watch_->sink());
+    auto link = open_printer(task_.port, printer, watch_->sink());
     if (!link) return fail(link.error());
     link_ = std::move(*link);
     return journal_.find(*link_->transport, *link_->clock);

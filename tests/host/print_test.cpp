@@ -48,6 +48,18 @@ TEST_CASE("A part prints right in any slicing direction") {
                      "sim:", "--layer-height", "0.3", "--certify", "off"}));
 }
 
+TEST_CASE("A CoreXY and a delta print the same part right") {
+  for (const std::vector<std::string>& machine :
+       {std::vector<std::string>{"--port", "sim:?kinematics=corexy&jerk=classic"},
+        std::vector<std::string>{"--printer", "generic_delta", "--port", "sim:"}}) {
+    std::vector<std::string> words{
+        solid("bracket.lua"), "--scale", "0.4", "--layer-height", "0.3", "--certify", "off",
+        "--sampling",         "0.2"};
+    words.insert(words.end(), machine.begin(), machine.end());
+    check_right(print(words));
+  }
+}
+
 TEST_CASE("The same print twice is the same, whatever the number of threads") {
   const test::TemporaryFolder folder;
   std::vector<std::string> files;

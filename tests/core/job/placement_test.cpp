@@ -55,10 +55,28 @@ TEST_CASE("Factors that are no positive numbers are refused") {
 TEST_CASE("A solid beyond the build volume is refused with both sizes") {
   const auto placed = place_on_bed(test::BallModel(120), {}, {110, 110});
 
-  const auto ok = check_build_volume(placed->bounds, {220, 220, 250});
+  const auto ok = check_build_volume(placed->bounds, PrinterSettings{});
 
   REQUIRE_FALSE(ok);
   CHECK_THAT(ok.error().message, Catch::Contains("240 x 240 x 240") && Catch::Contains("220") &&
                                      Catch::Contains("--fit"));
-  CHECK(check_build_volume(placed->bounds, {240, 240, 240}).has_value() == false);
+  PrinterSettings larger;
+  larger.bed_size = {240, 240, 240};
+  CHECK_FALSE(check_build_volume(placed->bounds, larger));
+}
+
+TEST_CASE("A round bed has its middle at 0 and is no larger than its circle") {
+  PrinterSettings delta;
+  delta.bed_shape = BedShape::kRound;
+  delta.bed_size = {280, 280, 250};
+  CHECK(bed_centre(delta) == Vec2{0, 0});
+  const auto at = [&](double radius) {
+    return place_on_bed(test::BallModel(radius), {}, bed_centre(delta))->bounds;
+  };
+
+  CHECK(check_build_volume(at(98), delta));
+  // Its box has corners 99·√2 = 140.007 away.
+  const auto beyond = check_build_volume(at(99), delta);
+  REQUIRE_FALSE(beyond);
+  CHECK_THAT(beyond.error().message, Catch::Contains("which is round"));
 }
