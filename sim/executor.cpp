@@ -39,7 +39,8 @@ void Executor::begin(std::string_view line, const std::optional<GcodeCommand>& c
     text_ += *limits;
   } else if (const auto answer = run_service_command(*command, machine_)) {
     text_ += *answer;
-  } else if (!run_motion(*command, now) && !run_heat(*command, now) && !run_talk(*command)) {
+  } else if (!run_motion(*command, now) && !run_heat(*command, now) && !run_talk(*command) &&
+             !run_pause(*command)) {
     unknown(line);
   }
 }
@@ -151,6 +152,23 @@ bool Executor::run_heat(const GcodeCommand& command, Moment now) {
   }
 }
 
+bool Executor::run_pause(const GcodeCommand& command) {
+  if (!machine_.options.features.has(Feature::kFilamentChange)) return false;
+  switch (command.code()) {
+    case 0:
+    case 1:
+      stop_for_user(command);
+      return true;
+    case 600:
+      change_filament();
+      return true;
+    case 876:  // In its turn: nobody waits for it any more.
+      return true;
+    default:
+      return false;
+  }
+}
+
 bool Executor::run_talk(const GcodeCommand& command) {
   switch (command.code()) {
     case 113:
@@ -181,8 +199,12 @@ void Executor::wait_for_heater(const GcodeCommand& command, Heater& heater, Mome
   const auto heat = command.value('S');
   const auto both_ways = command.value('R');
   if (!heat && !both_ways) return;
-  heater.set_target(heat ? *heat : *both_ways);
-  if (heat && heater.celsius() >= heater.target()) return;
+  if (heat && heater.celsius() >= *heat) return heater.set_target(*heat);
+  heat_to(heater, heat ? *heat : *both_ways, now);
+}
+
+void Executor::heat_to(Heater& heater, double celsius, Moment now) {
+  heater.set_target(celsius);
   heater_ = &heater;
   residency_ = {};
   heat_cancelled_ = false;
@@ -212,6 +234,7 @@ void Executor::become_still(Stage next) {
 
 void Executor::stop_waiting() {
   heat_cancelled_ = stage_ == Stage::kHeat;
+  answered_ = stage_ == Stage::kUser;
 }
 
 bool Executor::proceed_room(Moment now) {
@@ -245,12 +268,24 @@ bool Executor::proceed_heat(Moment now) {
 }
 
 bool Executor::proceed(Moment now) {
+  while (proceed_stage(now)) {
+    if (next_.empty()) return true;
+    const Next next = std::move(next_.front());
+    next_.pop_front();
+    next(now);
+  }
+  return false;
+}
+
+bool Executor::proceed_stage(Moment now) {
+  if (stage_ == Stage::kDone) return true;
   if (stage_ == Stage::kRoom) return proceed_room(now);
   if (stage_ == Stage::kStill && (proceed_still(now) || stage_ == Stage::kStill)) {
     return stage_ == Stage::kDone;
   }
   if (stage_ == Stage::kHeat && !proceed_heat(now)) return false;
   if ((stage_ == Stage::kDwell || stage_ == Stage::kHome) && now < until_) return false;
+  if (stage_ == Stage::kUser && !answered_ && !(user_until_ && now >= *user_until_)) return false;
   if (stage_ == Stage::kHome) finish_homing(now);
   machine_.planner.rest();
   stage_ = Stage::kDone;
@@ -262,6 +297,8 @@ std::optional<Moment> Executor::wakes_at() const {
     case Stage::kDwell:
     case Stage::kHome:
       return until_;
+    case Stage::kUser:
+      return user_until_;
     case Stage::kHeat:
       return std::min(until_, polled_at_ + kHeatPoll);
     case Stage::kDone:

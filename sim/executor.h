@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <optional>
 #include <string>
@@ -23,8 +24,9 @@ class Executor {
   static constexpr Moment kQuickStopTime{1'999'000};  ///< M410 keeps the planner empty so long.
   static constexpr Moment kReportPeriod{1'000'000};   ///< Of temperatures during M109 and M190.
   static constexpr Moment kHeatPoll{100'000};
-  static constexpr double kExtrusionMax = 200;  ///< mm of filament in one move.
-  static constexpr double kFarthest = 1e6;      ///< mm: no coordinate is beyond, homed or not.
+  static constexpr Moment kHeaterTimeout{45'000'000};  ///< Of M600: then the nozzle is cold.
+  static constexpr double kExtrusionMax = 200;         ///< mm of filament in one move.
+  static constexpr double kFarthest = 1e6;  ///< mm: no coordinate is beyond, homed or not.
 
   explicit Executor(Machine& machine) : machine_(machine) {}
 
@@ -34,13 +36,16 @@ class Executor {
   /// Goes on with the command. \pre Running. \return Whether it has returned.
   [[nodiscard]] bool proceed(Moment now);
 
-  [[nodiscard]] bool running() const { return stage_ != Stage::kDone; }
+  [[nodiscard]] bool running() const { return stage_ != Stage::kDone || !next_.empty(); }
   /// When `proceed` should be called next if the planner does nothing before; nothing if only the
   /// planner counts. \pre Running.
   [[nodiscard]] std::optional<Moment> wakes_at() const;
 
-  /// Ends a wait for a heater: M108.
+  /// Ends a wait for a heater or for somebody: M108. A firmware with a display has no other way to
+  /// be told, and here nobody stands at one.
   void stop_waiting();
+  [[nodiscard]] bool waits_for_user() const { return stage_ == Stage::kUser; }
+  [[nodiscard]] bool talks_to_host() const;
 
   /// Drops all moves where the machine is now: M410 when it is read. The filament that they would
   /// have pushed is not pushed; E of the commands stays.
@@ -57,13 +62,16 @@ class Executor {
   [[nodiscard]] Moment busy_period() const { return busy_period_; }
 
  private:
-  enum class Stage : std::uint8_t { kDone, kRoom, kStill, kDwell, kHome, kHeat };
+  enum class Stage : std::uint8_t { kDone, kRoom, kStill, kDwell, kHome, kHeat, kUser };
+  /// What a command does when the stage before is over.
+  using Next = std::function<void(Moment now)>;
 
   // Each says whether the command was one of its own.
   bool run_g(const GcodeCommand& command, Moment now);
   bool run_motion(const GcodeCommand& command, Moment now);
   bool run_heat(const GcodeCommand& command, Moment now);
   bool run_talk(const GcodeCommand& command);
+  bool run_pause(const GcodeCommand& command);
   void unknown(std::string_view line);
 
   void move(const GcodeCommand& command);
@@ -81,6 +89,7 @@ class Executor {
   void finish_homing(Moment now);
   void rename_position(const GcodeCommand& command, Moment now);
   void wait_for_heater(const GcodeCommand& command, Heater& heater, Moment now);
+  void heat_to(Heater& heater, double celsius, Moment now);
   void speak(std::string_view words);
   /// Waits until all moves are made, then goes on to `next`.
   void become_still(Stage next);
@@ -91,6 +100,18 @@ class Executor {
   [[nodiscard]] Axes within_endstops(Axes to) const;
   /// `e` mm of filament, or 0 and a complaint where that is not allowed.
   [[nodiscard]] double allowed_extrusion(double e);
+  /// Plans a way of the firmware's own, in coordinates of the machine.
+  void plan_to(const Axes& to, double speed);
+
+  void then(Next next);
+  void wait_for_user(std::optional<Moment> until);
+  void stop_for_user(const GcodeCommand& command);
+  void change_filament();
+  void ask_for_filament(Moment now);
+  void go_back();
+  [[nodiscard]] Axes parking_place(double z) const;
+
+  [[nodiscard]] bool proceed_stage(Moment now);
   [[nodiscard]] bool proceed_room(Moment now);
   [[nodiscard]] bool proceed_still(Moment now);
   [[nodiscard]] bool proceed_heat(Moment now);
@@ -109,6 +130,11 @@ class Executor {
     int next = 1;
   };
   std::optional<Way> way_;
+
+  std::deque<Next> next_;
+  std::optional<Moment> user_until_;
+  bool answered_ = false;  ///< Whether somebody ended the wait, not time.
+  Axes parked_from_;       ///< Of the machine.
 
   Stage after_still_ = Stage::kDone;
   Moment wait_{0};   ///< How long to dwell once still.

@@ -87,6 +87,13 @@ void Executor::head_for(const Axes& to) {
   stage_ = Stage::kRoom;
 }
 
+void Executor::plan_to(const Axes& to, double speed) {
+  machine_.filament = to.e;
+  target_ = to;
+  speed_ = speed;
+  stage_ = Stage::kRoom;
+}
+
 void Executor::quick_stop(Moment now) {
   const Axes at = machine_.planner.stop(now);
   const Axes& shift = machine_.shift;

@@ -14,6 +14,10 @@ struct Row {
 };
 
 constexpr std::array kRows = std::to_array<Row>({
+    {Feature::kEmergencyParser, "emergency-parser", ",EMERGENCY_PARSER,"},
+    {Feature::kFilamentChange, "filament-change", ""},
+    {Feature::kFilamentSensor, "filament-sensor", ",RUNOUT,"},
+    {Feature::kHostPrompts, "host-prompts", ",HOST_ACTION_COMMANDS,PROMPT_SUPPORT,"},
     {Feature::kLinearAdvance, "linear-advance", ""},
 });
 

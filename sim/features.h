@@ -10,6 +10,10 @@ namespace slipstick {
 
 /// What a firmware can be built with that Marlin's default configuration leaves out.
 enum class Feature : std::uint8_t {
+  kEmergencyParser,
+  kFilamentChange,
+  kFilamentSensor,
+  kHostPrompts,
   kLinearAdvance,
 };
 

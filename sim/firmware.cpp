@@ -7,11 +7,20 @@
 #include <utility>
 
 #include "core/gcode/parse.h"
+#include "sim/host_talk.h"
 #include "sim/reports.h"
 
 namespace slipstick {
 
 namespace {
+
+/// What runs when the sensor finds no filament, before the next command of the queue.
+constexpr std::string_view kRunoutScript = "M600";
+
+/// "echo:busy: paused for user"
+std::string busy_for_user(std::string_view busy) {
+  return std::string(busy.substr(0, busy.find("processing"))) + "paused for user\n";
+}
 
 std::string repetier_error(Verdict verdict, const LineGate& gate) {
   if (verdict == Verdict::kWrongChecksum) return "Error:Wrong checksum\n";
@@ -43,17 +52,62 @@ bool Firmware::step(Moment now) {
   return true;
 }
 
+void Firmware::notice(char byte) {
+  if (!machine_.options.features.has(Feature::kEmergencyParser)) return;
+  if (const auto found = emergency_parser_.feed(byte)) emergency_ = found;
+}
+
+bool Firmware::obey_emergency(Moment now) {
+  const auto emergency = std::exchange(emergency_, std::nullopt);
+  if (!emergency) return false;
+  switch (emergency->kind) {
+    case Emergency::Kind::kKill:
+      kill(personality_.shutdown);
+      break;
+    case Emergency::Kind::kQuickStop:
+      executor_.quick_stop(now);
+      break;
+    case Emergency::Kind::kContinue:
+    case Emergency::Kind::kAnswer:
+      executor_.stop_waiting();
+      break;
+  }
+  return true;
+}
+
+bool Firmware::watch_filament() {
+  if (!machine_.options.features.has(Feature::kFilamentSensor)) return false;
+  if (!machine_.spool->empty) ran_out_ = false;
+  const bool printing = machine_.filament > 0 && !machine_.nozzle.off();
+  if (ran_out_ || !machine_.spool->empty || !machine_.watches_filament || !printing) return false;
+  ran_out_ = true;
+  const bool changes =
+      !machine_.host_handles_runout && machine_.options.features.has(Feature::kFilamentChange);
+  if (executor_.talks_to_host()) {
+    text_ += action_line("filament_runout T0") +
+             action_line(changes ? "paused filament_runout 0" : "pause filament_runout 0");
+  }
+  if (changes) {
+    queue_.insert(queue_.begin() + (executor_.running() ? 1 : 0),
+                  {std::string(kRunoutScript), true});
+  }
+  return true;
+}
+
 bool Firmware::work(Moment now) {
+  if (obey_emergency(now)) return true;
   if (resending_) {
     request_resend();
     return true;
   }
-  return guard(now) || stay_busy(now) || report(now) || read_lines(now) || run_command(now);
+  return guard(now) || watch_filament() || stay_busy(now) || report(now) || read_lines(now) ||
+         run_command(now);
 }
 
 bool Firmware::boot(Moment now) {
   if (now < boot_at_) return false;
   text_ += banner_report(personality_, machine_, cause_);
+  if (executor_.talks_to_host()) text_ += action_line("prompt_end");
   wait_at_ = now + personality_.wait_period;
   booted_ = true;
   return true;
@@ -80,7 +134,7 @@ void Firmware::receive(std::string_view line, Moment now) {
   obey_early(line, now);
   if (machine_.halted) return;
   if (personality_.ok == OkTime::kWhenReceived) text_ += kOk;
-  queue_.emplace_back(line);
+  queue_.push_back({std::string(line)});
   ++lines_accepted_;
 }
 
@@ -106,6 +160,7 @@ void Firmware::request_resend() {
 
 void Firmware::obey_early(std::string_view line, Moment now) {
   line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+  if (machine_.options.features.has(Feature::kEmergencyParser)) return;
   const auto matches = [&](std::string_view code) {
     if (personality_.early == EarlyStop::kPrefix) return line.starts_with(code);
     return (personality_.early == EarlyStop::kExact ? line : bare_command(line)) == code;
@@ -117,12 +172,15 @@ void Firmware::obey_early(std::string_view line, Moment now) {
 
 void Firmware::kill(std::string_view reason) {
   text_.append(reason).append(personality_.killed);
+  if (executor_.talks_to_host()) text_ += action_line("poweroff");
   machine_.halt();
 }
 
 bool Firmware::has_to_guard() const {
-  const auto is_safe = [](const Heater& heater) { return heater.off() && heater.whole(); };
-  return !is_safe(machine_.nozzle) || !is_safe(machine_.bed);
+  const auto is_safe = [](const Heater& heater, const ThermalGuard& guard) {
+    return heater.off() && heater.whole() && guard.rests();
+  };
+  return !is_safe(machine_.nozzle, nozzle_guard_) || !is_safe(machine_.bed, bed_guard_);
 }
 
 bool Firmware::guard(Moment now) {
@@ -146,7 +204,8 @@ bool Firmware::idle(Moment now) {
 bool Firmware::stay_busy(Moment now) {
   if (!executor_.running() || personality_.busy.empty()) return false;
   if (executor_.busy_period() <= Moment(0) || now < busy_at_) return false;
-  text_ += personality_.busy;
+  text_ += executor_.waits_for_user() ? busy_for_user(personality_.busy)
+                                      : std::string(personality_.busy);
   busy_at_ = now + executor_.busy_period();
   return true;
 }
@@ -164,9 +223,9 @@ bool Firmware::report(Moment now) {
 
 void Firmware::begin_command(Moment now) {
   busy_at_ = now + executor_.busy_period();
-  const bool late_ok = personality_.ok == OkTime::kWhenDone;
+  const bool late_ok = personality_.ok == OkTime::kWhenDone && !queue_.front().own;
   ok_due_ = late_ok;
-  const auto command = parse_gcode(queue_.front());
+  const auto command = parse_gcode(queue_.front().line);
   if (command && command->is('M', 112)) return kill(personality_.shutdown);
   if (command && command->is('M', 110)) {
     constexpr double kMost = std::numeric_limits<std::int32_t>::max();
@@ -181,7 +240,7 @@ void Firmware::begin_command(Moment now) {
     return;
   }
   if (command && command->is('M', 999)) return request_resend();
-  executor_.begin(queue_.front(), command, now);
+  executor_.begin(queue_.front().line, command, now);
   ok_due_ = late_ok && executor_.wants_ok();
 }
 
@@ -203,7 +262,8 @@ bool Firmware::run_command(Moment now) {
 }
 
 bool Firmware::has_work() const {
-  return resending_ || (reads() && !ring_.empty()) || (!queue_.empty() && !executor_.running());
+  return emergency_ || resending_ || (reads() && !ring_.empty()) ||
+         (!queue_.empty() && !executor_.running());
 }
 
 std::optional<Moment> Firmware::wakes_at(Moment now) const {

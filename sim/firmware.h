@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "sim/emergency_parser.h"
 #include "sim/executor.h"
 #include "sim/line_gate.h"
 #include "sim/line_reader.h"
@@ -33,6 +34,9 @@ class Firmware {
 
   [[nodiscard]] RxRing& ring() { return ring_; }
 
+  /// A byte arrives, whether or not the ring has room for it: an emergency parser looks at it.
+  void notice(char byte);
+
   /// Does the next thing there is to do at `now`. \return Whether there was one.
   bool step(Moment now);
 
@@ -58,7 +62,16 @@ class Firmware {
   [[nodiscard]] std::int64_t resends_requested() const { return resends_requested_; }
 
  private:
+  struct Queued {
+    std::string line;
+    bool own = false;  ///< The firmware's own: it is not acknowledged.
+  };
+
   bool boot(Moment now);
+  /// Does what the emergency parser has found.
+  bool obey_emergency(Moment now);
+  /// Looks whether the filament has run out, and has it changed where it is to.
+  bool watch_filament();
   bool read_lines(Moment now);
   void receive(std::string_view line, Moment now);
   void reject(Verdict verdict);
@@ -83,15 +96,18 @@ class Firmware {
   Executor executor_;
   RxRing ring_;
   LineReader reader_;
+  EmergencyParser emergency_parser_;
+  std::optional<Emergency> emergency_;  ///< Found and not yet obeyed.
   LineGate gate_;
   ThermalGuard nozzle_guard_{nozzle_limits()};
   ThermalGuard bed_guard_{bed_limits()};
-  std::deque<std::string> queue_;  ///< Its front is the command that runs or runs next.
+  std::deque<Queued> queue_;  ///< Its front is the command that runs or runs next.
   std::string text_;
   Moment boot_at_;
   ResetCause cause_;
   bool booted_ = false;
   bool ok_due_ = false;      ///< Whether the running command ends with "ok".
+  bool ran_out_ = false;     ///< Whether that was said, and what has to be done is done.
   bool resending_ = false;   ///< The Error line is out, the flush and the Resend are due.
   Moment busy_at_{0};        ///< When to say "busy", while a command runs.
   Moment wait_at_{0};        ///< When to say "wait", if nothing happens before.

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <memory>
+
 #include "core/base/vec.h"
 #include "sim/features.h"
 #include "sim/heater.h"
@@ -30,15 +33,23 @@ struct MachineOptions {
 
 /// Everything of the printer that commands change, and how it stands when it is switched on.
 struct Machine {
-  Machine(const MachineOptions& built, const Planner::Sink& sink)
+  /// Whether there is filament: without, the motor turns and nothing comes.
+  struct Spool {
+    bool empty = false;
+  };
+
+  Machine(const MachineOptions& built, const Planner::Sink& sink,
+          std::shared_ptr<Spool> loaded = std::make_shared<Spool>())
       : options(built),
         limits(built.limits),
-        planner(sink, built.kinematics),
+        spool(std::move(loaded)),
+        planner(through(spool, sink), built.kinematics),
         move_sink(sink),
         nozzle(built.nozzle) {}
 
   MachineOptions options;
   MotionLimits limits;
+  std::shared_ptr<Spool> spool;  ///< Shared with the sink, which looks at it.
   Planner planner;
   Planner::Sink move_sink;
   Heater nozzle;
@@ -56,7 +67,9 @@ struct Machine {
   bool homed = false;         ///< Soft endstops act from then on,
   bool soft_endstops = true;  ///< unless M211 S0 turned them off.
   double extrude_celsius_min = 170;
-  bool halted = false;  ///< After kill(): only a reset helps.
+  bool watches_filament = true;      ///< M412 S, of a machine with a sensor.
+  bool host_handles_runout = false;  ///< M412 H.
+  bool halted = false;               ///< After kill(): only a reset helps.
 
   void advance(Moment now) {
     nozzle.advance(now);
@@ -83,11 +96,22 @@ struct Machine {
   void reset() {
     const Heater was_nozzle = nozzle;
     const Heater was_bed = bed;
-    *this = Machine(options, move_sink);
+    *this = Machine(options, move_sink, spool);
     nozzle = was_nozzle;
     bed = was_bed;
     nozzle.shut_off();
     bed.shut_off();
+  }
+
+ private:
+  [[nodiscard]] static Planner::Sink through(const std::shared_ptr<Spool>& spool,
+                                             const Planner::Sink& sink) {
+    if (!sink) return {};
+    return [spool, sink](const ExecutedMove& move) {
+      ExecutedMove made = move;
+      if (spool->empty) made.to.e = std::min(made.to.e, made.from.e);
+      sink(made);
+    };
   }
 };
 

@@ -14,7 +14,7 @@ constexpr std::uint64_t kOtherDirection = 0x5EED;
 }  // namespace
 
 Printer::Printer(const PrinterOptions& options, const Planner::Sink& sink)
-    : machine_(std::make_unique<Machine>(options.machine, through(spool_, sink))),
+    : machine_(std::make_unique<Machine>(options.machine, sink)),
       personality_(options.personality),
       firmware_(std::make_unique<Firmware>(*machine_, personality_, Moment(0))),
       to_board_(options.baud, FaultPlan(options.corrupt, options.seed)),
@@ -26,15 +26,6 @@ void Printer::receive(std::string_view bytes, Moment at) {
   const Moment arrives = std::max(at, now_);
   if (faults_.empty()) return to_board_.push(bytes, arrives);
   to_board_.push(faults_.to_board(std::string(bytes), arrives), arrives);
-}
-
-Planner::Sink Printer::through(const std::shared_ptr<Spool>& spool, const Planner::Sink& sink) {
-  if (!sink) return {};
-  return [spool, sink](const ExecutedMove& move) {
-    ExecutedMove made = move;
-    if (spool->empty) made.to.e = std::min(made.to.e, made.from.e);
-    sink(made);
-  };
 }
 
 void Printer::kill() {
@@ -65,6 +56,7 @@ bool Printer::deliver() {
   const std::size_t most = waits ? ring.room() : buffer.size();
   const std::size_t count = to_board_.take(std::span(buffer).first(most), now_);
   for (std::size_t i = 0; firmware_->booted() && i < count; ++i) {
+    firmware_->notice(buffer[i]);
     if (!ring.push(buffer[i])) ++bytes_overrun_;
   }
   return count > 0;

@@ -77,8 +77,8 @@ class Printer {
   void plug_in() { plugged_ = true; }
   void break_heater(Heater Machine::*heater, HeaterDefect defect);
   /// The motor turns and nothing comes, or does again.
-  void run_out_of_filament() { spool_->empty = true; }
-  void reload_filament() { spool_->empty = false; }
+  void run_out_of_filament() { machine_->spool->empty = true; }
+  void reload_filament() { machine_->spool->empty = false; }
 
   [[nodiscard]] bool plugged() const { return plugged_; }
   [[nodiscard]] std::int64_t lines_accepted() const { return firmware_->lines_accepted(); }
@@ -93,13 +93,6 @@ class Printer {
   void transmit(std::string text);
   [[nodiscard]] bool processor_free() const { return !frozen_ && now_ >= busy_until_; }
 
-  struct Spool {
-    bool empty = false;
-  };
-  [[nodiscard]] static Planner::Sink through(const std::shared_ptr<Spool>& spool,
-                                             const Planner::Sink& sink);
-
-  std::shared_ptr<Spool> spool_ = std::make_shared<Spool>();  ///< The machine's sink looks at it.
   std::unique_ptr<Machine> machine_;  ///< Behind a pointer so that a Printer can be moved.
   Personality personality_;
   std::unique_ptr<Firmware> firmware_;

@@ -38,6 +38,20 @@ std::string run_endstops(const GcodeCommand& command, Machine& machine) {
       most.z);
 }
 
+std::string run_filament_sensor(const GcodeCommand& command, Machine& machine) {
+  const auto on = command.value('S');
+  const auto host = command.value('H');
+  if (on) machine.watches_filament = *on != 0;
+  if (host) machine.host_handles_runout = *host != 0;
+  if (on || host || command.has('R')) return {};
+  const auto word = [](bool yes) { return yes ? "ON" : "OFF"; };
+  std::string text = fmt::format("echo:Filament runout {}", word(machine.watches_filament));
+  if (machine.options.features.has(Feature::kHostPrompts)) {
+    text += fmt::format(" ; Host handling {}", word(machine.host_handles_runout));
+  }
+  return text + "\n";
+}
+
 /// There is nothing to load but what the firmware was built with.
 std::string load_defaults(Machine& machine) {
   machine.limits = machine.options.limits;
@@ -56,6 +70,9 @@ std::optional<std::string> run_service_command(const GcodeCommand& command, Mach
       return "Reporting endstop status\nx_min: open\ny_min: open\nz_min: open\n";
     case 211:
       return run_endstops(command, machine);
+    case 412:
+      if (!machine.options.features.has(Feature::kFilamentSensor)) return std::nullopt;
+      return run_filament_sensor(command, machine);
     case 500:
       return "Error:EEPROM disabled\n";
     case 501:

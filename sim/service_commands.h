@@ -8,7 +8,7 @@
 
 namespace slipstick {
 
-/// M111, M119, M211 and M500 to M503: commands that only answer or turn a switch.
+/// M111, M119, M211, M412 and M500 to M503: commands that only answer or turn a switch.
 ///
 /// \return What is printed before the "ok"; nothing if `command` is another.
 [[nodiscard]] std::optional<std::string> run_service_command(const GcodeCommand& command,

@@ -35,6 +35,9 @@ class ThermalGuard {
   /// Looks at `heater`. \pre `now` never goes back.
   [[nodiscard]] std::optional<ThermalAlarm> check(const Heater& heater, Moment now);
 
+  /// Whether it has nothing to watch: the heater was off when it looked last.
+  [[nodiscard]] bool rests() const { return target_ <= 0; }
+
   [[nodiscard]] std::string_view name() const { return limits_.name; }
 
  private:

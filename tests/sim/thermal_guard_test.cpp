@@ -100,3 +100,13 @@ TEST_CASE("What is stuck goes on heating though the board has stopped") {
   CHECK(host.printer().machine().bed.off());
   CHECK(host.printer().machine().bed.true_celsius() > before);
 }
+
+TEST_CASE("A heater that has rested is not taken for one that ran away when it heats again") {
+  Dialogue host;
+  host.say("M109 S200", 300 * kSecond);
+  host.say("M104 S0", 600 * kSecond);
+
+  host.say("M104 S200", 60 * kSecond);
+
+  CHECK_FALSE(host.printer().machine().halted);
+}
