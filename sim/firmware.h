@@ -54,6 +54,9 @@ class Firmware {
     return booted_ && !machine_.halted && queue_.size() < personality_.queue_max;
   }
 
+  /// Somebody presses the button at the printer.
+  void press_button() { executor_.stop_waiting(); }
+
   /// Stops for good and says why: `reason`, whole lines, before the firmware's own last words.
   void kill(std::string_view reason);
 

@@ -28,6 +28,10 @@ void Printer::receive(std::string_view bytes, Moment at) {
   to_board_.push(faults_.to_board(std::string(bytes), arrives), arrives);
 }
 
+Result<void> Printer::suffer(const FaultSpec& fault) {
+  return faults_.add(fault.from(now_, firmware_->lines_accepted()));
+}
+
 void Printer::kill() {
   firmware_->kill({});
   transmit(firmware_->take_text());

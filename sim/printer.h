@@ -64,6 +64,14 @@ class Printer {
   /// again.
   void reset(ResetCause cause = ResetCause::kPowerUp);
 
+  /// A fault from now on; its time and line count from here.
+  /// \return kInput if there are too many.
+  [[nodiscard]] Result<void> suffer(const FaultSpec& fault);
+  /// Ends all faults.
+  void mend() { faults_.mend(*this); }
+  /// Somebody presses the button at the printer: a wait for them ends.
+  void press_button() { firmware_->press_button(); }
+
   // What faults do to it.
   /// The firmware stops for good of itself.
   void kill();

@@ -19,6 +19,8 @@
 #include <functional>
 #include <system_error>
 
+#include "sim/control.h"
+
 namespace slipstick {
 
 namespace {
@@ -86,6 +88,11 @@ Result<PtyServer> PtyServer::open(const PtyServerOptions& options, Printer print
   }
   if (options.tcp_port) {
     if (auto opened = server.listen_on(*options.tcp_port); !opened) return fail(opened.error());
+  }
+  if (!options.control_path.empty()) {
+    auto control = ControlSocket::open(options.control_path);
+    if (!control) return fail(control.error());
+    server.control_.emplace(std::move(*control));
   }
   return server;
 }
@@ -179,10 +186,12 @@ void PtyServer::speak() {
 
 Result<void> PtyServer::wait(int stop_fd, Moment elapsed) {
   const short input = printer_.unread() < kUnreadMax ? POLLIN : 0;
-  std::array<pollfd, 4> fds{{{stop_fd, POLLIN, 0},
+  std::array<pollfd, 6> fds{{{stop_fd, POLLIN, 0},
                              {terminal_.get(), input, 0},
                              {cable_in_ ? listener_.get() : -1, POLLIN, 0},
-                             {client_.get(), input, 0}}};
+                             {client_.get(), input, 0},
+                             {control_ ? control_->listener() : -1, POLLIN, 0},
+                             {control_ ? control_->client() : -1, POLLIN, 0}}};
   Moment next = elapsed + times(kTick, speed_);
   if (const auto m = printer_.next_event()) next = std::min(next, *m);
   if (const auto m = printer_.output_at()) next = std::min(next, *m);
@@ -194,6 +203,10 @@ Result<void> PtyServer::wait(int stop_fd, Moment elapsed) {
   if ((fds[1].revents & POLLIN) != 0) hear(terminal_.get(), elapsed);
   if (fds[3].revents != 0) hear(client_.get(), elapsed);
   if ((fds[2].revents & POLLIN) != 0) accept_client();
+  if (fds[5].revents != 0) {
+    control_->serve([this](std::string_view line) { return obey_control(printer_, line); });
+  }
+  if ((fds[4].revents & POLLIN) != 0) control_->accept();
   return {};
 }
 

@@ -8,14 +8,16 @@
 
 #include "core/base/result.h"
 #include "drivers/unique_fd.h"
+#include "sim/control_socket.h"
 #include "sim/printer.h"
 
 namespace slipstick {
 
 struct PtyServerOptions {
-  std::string pty_path;         ///< Where the link to the pseudo-terminal is made; empty is none.
-  std::optional<int> tcp_port;  ///< On 127.0.0.1; 0 lets the system choose.
-  double speed = 1;             ///< Seconds of the printer in one of the host's, 0.01 to 1000.
+  std::string pty_path;           ///< Where the link to the pseudo-terminal is made; empty is none.
+  std::optional<int> tcp_port;    ///< On 127.0.0.1; 0 lets the system choose.
+  double speed = 1;               ///< Seconds of the printer in one of the host's, 0.01 to 1000.
+  std::string control_path = {};  ///< Of a socket for control.h; empty is none.
 };
 
 /// A printer in real time, or so many times as fast, for any host program: behind a
@@ -30,9 +32,8 @@ class PtyServer {
   /// Opens what `options` ask for. The link to the terminal goes away with the server.
   ///
   /// \return kInput if nothing is asked for, or a speed that cannot be; kUnavailable if the link's
-  /// path exists and is not such
-  /// a
-  ///   link, the port is taken or the system has no terminal left.
+  /// path exists and is not such a link, the port or the control socket is taken, or the system has
+  /// no terminal left.
   [[nodiscard]] static Result<PtyServer> open(const PtyServerOptions& options, Printer printer);
 
   PtyServer(PtyServer&&) noexcept = default;
@@ -68,6 +69,7 @@ class PtyServer {
   UniqueFd terminal_held_;  ///< The other side, held open so that the terminal outlives its users.
   UniqueFd listener_;
   UniqueFd client_;
+  std::optional<ControlSocket> control_;
   std::string device_;
   std::string link_;  ///< Removed at the end if it still leads to `device_`.
   bool cable_in_ = true;

@@ -15,7 +15,6 @@ namespace {
 
 constexpr double kBaudMax = 10'000'000;
 constexpr double kSeedMax = 9e15;
-constexpr std::size_t kFaultsMax = 64;
 
 /// The number `text` if it is within the limits.
 std::optional<double> number_in(const std::string& text, double low, double high) {
@@ -51,8 +50,8 @@ Taken take_faults(SimOptions& options, const std::string& value) {
     const std::size_t end = std::min(list.find(','), list.size());
     const auto spec = FaultSpec::parse(list.substr(0, end));
     if (!spec) return spec.error().message;
-    if (options.printer.faults.size() == kFaultsMax) {
-      return fmt::format("give at most {} faults", kFaultsMax);
+    if (options.printer.faults.size() == FaultSet::kMost) {
+      return fmt::format("give at most {} faults", FaultSet::kMost);
     }
     options.printer.faults.push_back(*spec);
     list.remove_prefix(std::min(end + 1, list.size()));

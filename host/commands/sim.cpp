@@ -24,6 +24,7 @@ namespace {
 struct SimCommand {
   std::string pty;
   int tcp = -1;
+  std::string control;
   double speed = 1;
   std::string options;
   std::vector<std::string> faults;
@@ -58,7 +59,7 @@ CommandResult run_sim(const SimCommand& command) {
     if (!fault) return fail(fault.error());
     options->printer.faults.push_back(*fault);
   }
-  PtyServerOptions where{command.pty, {}, command.speed};
+  PtyServerOptions where{command.pty, {}, command.speed, command.control};
   if (command.tcp >= 0) where.tcp_port = command.tcp;
   auto server = PtyServer::open(where, Printer(options->printer));
   if (!server) return fail(server.error());
@@ -140,6 +141,8 @@ void add_sim_command(CLI::App& app, ChosenCommand& run) {
   auto* pty = sub->add_option("--pty", command->pty, "where to put the link to its terminal");
   auto* tcp = sub->add_option("--tcp", command->tcp, "port on 127.0.0.1; 0 chooses one")
                   ->check(CLI::Range(0, 65535));
+  sub->add_option("--control", command->control,
+                  "where to put a Unix socket that takes faults, and the buttons, while it runs");
   sub->add_option("--options", command->options,
                   "as behind 'sim:?': seed=7&corrupt=0.002&baud=115200");
   sub->add_option("--speed", command->speed, "seconds of the printer in one of real time")

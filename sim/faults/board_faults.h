@@ -14,6 +14,7 @@ class Reset final : public Fault {
 
  private:
   void strike(Printer& printer) override;
+  [[nodiscard]] bool momentary() const override { return true; }
   ResetCause cause_;
 };
 
@@ -24,6 +25,7 @@ class Kill final : public Fault {
 
  private:
   void strike(Printer& printer) override;
+  [[nodiscard]] bool momentary() const override { return true; }
 };
 
 /// The main loop stands: nothing is read or said, moves under way are made, heaters keep the power
@@ -55,6 +57,7 @@ class Words final : public Fault {
 
  private:
   void strike(Printer& printer) override;
+  [[nodiscard]] bool momentary() const override { return true; }
   WireSide side_;
   std::string words_;
 };

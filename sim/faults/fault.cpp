@@ -5,15 +5,21 @@
 namespace slipstick {
 
 void Fault::see(Printer& printer) {
+  if (over_) return;
   if (!begins_ && line_ && printer.lines_accepted() >= *line_) begins_ = printer.now();
   if (!begins_ || printer.now() < *begins_) return;
   if (!struck_) {
     struck_ = true;
     strike(printer);
   }
-  if (over_ || active(printer.now())) return;
+  if (active(printer.now())) return;
   over_ = true;
   relent(printer);
+}
+
+void Fault::end(Printer& printer) {
+  if (struck_ && !over_) relent(printer);
+  over_ = true;
 }
 
 std::optional<Moment> Fault::next_at() const {

@@ -32,6 +32,10 @@ class Fault {
 
   /// Lets time come to `printer`'s: strikes and relents where that is due.
   void see(Printer& printer);
+  /// Ends it now, whatever it was to last.
+  void end(Printer& printer);
+  /// Whether nothing more comes of it.
+  [[nodiscard]] bool over() const { return over_ || (struck_ && momentary()); }
   /// When `see` must be called though nothing happens before.
   [[nodiscard]] std::optional<Moment> next_at() const;
 
@@ -47,13 +51,15 @@ class Fault {
 
  protected:
   [[nodiscard]] bool active(Moment now) const {
-    return begins_ && now >= *begins_ && (!lasts_ || now < *begins_ + *lasts_);
+    return !over_ && begins_ && now >= *begins_ && (!lasts_ || now < *begins_ + *lasts_);
   }
   void harm() { ++count_; }
 
  private:
   virtual void strike(Printer&) {}
   virtual void relent(Printer&) {}
+  /// Whether it is done once it has struck.
+  [[nodiscard]] virtual bool momentary() const { return false; }
 
   std::optional<Moment> begins_;
   std::optional<std::int64_t> line_;

@@ -1,15 +1,31 @@
 #include "sim/faults/fault_set.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
-#include "core/base/rng.h"
 #include "sim/faults/fault_names.h"
 
 namespace slipstick {
 
-FaultSet::FaultSet(const std::vector<FaultSpec>& specs, std::uint64_t seed) {
-  Rng rng(seed);
-  for (const FaultSpec& spec : specs) faults_.push_back(make_fault(spec, rng.next()));
+FaultSet::FaultSet(const std::vector<FaultSpec>& specs, std::uint64_t seed) : rng_(seed) {
+  for (const FaultSpec& spec : specs) faults_.push_back(make_fault(spec, rng_.next()));
+}
+
+Result<void> FaultSet::add(const FaultSpec& spec) {
+  std::erase_if(faults_, [this](const auto& fault) {
+    if (fault->over()) past_ += fault->count();
+    return fault->over();
+  });
+  if (faults_.size() >= kMost) {
+    return fail(ErrorCode::kInput, fmt::format("there are {} faults already; mend them", kMost));
+  }
+  faults_.push_back(make_fault(spec, rng_.next()));
+  return {};
+}
+
+void FaultSet::mend(Printer& printer) {
+  for (const auto& fault : faults_) fault->end(printer);
 }
 
 void FaultSet::see(Printer& printer) {
@@ -41,7 +57,7 @@ Moment FaultSet::delay(Moment now) const {
 }
 
 std::int64_t FaultSet::count() const {
-  std::int64_t sum = 0;
+  std::int64_t sum = past_;
   for (const auto& fault : faults_) sum += fault->count();
   return sum;
 }

@@ -94,4 +94,15 @@ Result<FaultSpec> FaultSpec::parse(std::string_view text) {
   return spec;
 }
 
+FaultSpec FaultSpec::from(Moment now, std::int64_t lines) const {
+  FaultSpec shifted = *this;
+  FaultWhen& when = shifted.when_;
+  if (when.line) {
+    *when.line += lines;
+  } else {
+    when.from = when.from.value_or(Moment(0)) + now;
+  }
+  return shifted;
+}
+
 }  // namespace slipstick

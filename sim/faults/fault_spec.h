@@ -17,6 +17,10 @@ class FaultSpec {
   /// \return kInput for a name, value or time that cannot be, with what can.
   [[nodiscard]] static Result<FaultSpec> parse(std::string_view text);
 
+  /// The same fault, its time counted from `now` and its line from `lines`; at once where none is
+  /// said.
+  [[nodiscard]] FaultSpec from(Moment now, std::int64_t lines) const;
+
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] double number() const { return number_; }
   [[nodiscard]] const std::string& words() const { return words_; }

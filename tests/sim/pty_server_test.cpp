@@ -5,6 +5,7 @@
 #include <poll.h>
 #include <stdlib.h>
 #include <sys/socket.h>
+#include <sys/un.h>
 
 #include <array>
 #include <catch2/catch.hpp>
@@ -89,6 +90,26 @@ TEST_CASE("A host program talks to the printer through the link to its terminal"
 
   CHECK(reply.starts_with("FIRMWARE_NAME:Marlin 2.1.2"));
   CHECK(reply.ends_with("Cap:CONFIG_EXPORT:0\nok\n"));
+}
+
+TEST_CASE("Its control socket does things to the printer while a host talks to it") {
+  const Folder folder;
+  const Running running({.pty_path = folder.file("printer"),
+                         .tcp_port = std::nullopt,
+                         .control_path = folder.file("control")});
+  const UniqueFd host(::open(folder.file("printer").c_str(), O_RDWR | O_NOCTTY));
+  REQUIRE(host.valid());
+  read_until(host.get(), "D114.00\n");
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  folder.file("control").copy(static_cast<char*>(address.sun_path), sizeof address.sun_path - 1);
+  const UniqueFd fd(::socket(AF_UNIX, SOCK_STREAM, 0));
+  REQUIRE(::connect(fd.get(), reinterpret_cast<sockaddr*>(&address), sizeof address) == 0);
+
+  write_text(fd.get(), "fault say=// hello\n");
+
+  CHECK(read_until(fd.get(), "\n") == "ok\n");
+  CHECK(read_until(host.get(), "hello") == "// hello");
 }
 
 TEST_CASE("A TCP connection resets the board and gets its banner") {
