@@ -109,7 +109,7 @@ TEST_CASE("Its control socket does things to the printer while a host talks to i
   write_text(fd.get(), "fault say=// hello\n");
 
   CHECK(read_until(fd.get(), "\n") == "ok\n");
-  CHECK(read_until(host.get(), "hello") == "// hello");
+  CHECK(read_until(host.get(), "\n") == "// hello\n");
 }
 
 TEST_CASE("A TCP connection resets the board and gets its banner") {
