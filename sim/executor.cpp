@@ -37,7 +37,7 @@ void Executor::begin(std::string_view line, const std::optional<GcodeCommand>& c
     if (!run_g(*command, now)) unknown(line);
   } else if (const auto limits = run_limit_command(*command, machine_)) {
     text_ += *limits;
-  } else if (const auto answer = run_service_command(*command, machine_)) {
+  } else if (const auto answer = run_service_command(*command, machine_, now)) {
     text_ += *answer;
   } else if (!run_motion(*command, now) && !run_heat(*command, now) && !run_talk(*command) &&
              !run_pause(*command)) {
@@ -74,6 +74,10 @@ bool Executor::run_g(const GcodeCommand& command, Moment now) {
     case 90:
     case 91:  // Both speak for E too, whatever M82 or M83 said before.
       machine_.relative = machine_.relative_e = command.code() == 91;
+      return true;
+    case 29:
+      if (!machine_.options.features.has(Feature::kBedLeveling)) return false;
+      probe_bed();
       return true;
     case 92:
       rename_position(command, now);
@@ -116,15 +120,19 @@ bool Executor::run_heat(const GcodeCommand& command, Moment now) {
   switch (command.code()) {
     case 104:
       if (const auto s = command.value('S')) machine_.nozzle.set_target(*s);
+      check_job(false, now);
       return true;
     case 140:
       if (const auto s = command.value('S')) machine_.bed.set_target(*s);
+      check_job(false, now);
       return true;
     case 109:
       wait_for_heater(command, machine_.nozzle, now);
+      check_job(true, now);
       return true;
     case 190:
       wait_for_heater(command, machine_.bed, now);
+      check_job(true, now);
       return true;
     case 105:
       wants_ok_ = false;
@@ -142,6 +150,12 @@ bool Executor::run_heat(const GcodeCommand& command, Moment now) {
       return true;
     case 108:
       return true;
+    case 154:
+      if (!machine_.options.features.has(Feature::kPositionReports)) return false;
+      if (const auto s = command.value('S')) {
+        position_period_ = moment_of_seconds(std::clamp(std::floor(*s), 0.0, 60.0));
+      }
+      return true;
     case 155:
       if (const auto s = command.value('S')) {
         report_period_ = moment_of_seconds(std::clamp(std::floor(*s), 0.0, 60.0));
@@ -150,6 +164,15 @@ bool Executor::run_heat(const GcodeCommand& command, Moment now) {
     default:
       return false;
   }
+}
+
+/// PRINTJOB_TIMER_AUTOSTART: a wait for heat begins a job, no heat any more ends it.
+void Executor::check_job(bool may_start, Moment now) {
+  constexpr double kColdNozzle = 85;  // half of the least that extrudes
+  constexpr double kColdBed = 5;
+  const bool hot = machine_.nozzle.target() > kColdNozzle || machine_.bed.target() > kColdBed;
+  if (hot && may_start) machine_.job.start(now);
+  if (!hot) machine_.job.stop(now);
 }
 
 bool Executor::run_pause(const GcodeCommand& command) {

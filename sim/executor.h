@@ -21,6 +21,8 @@ class Executor {
  public:
   static constexpr Moment kHomingTime{
       15'400'000};  ///< Seen with Marlin 2.1.2 on its simulated board.
+  static constexpr Moment kProbingTime{
+      31'500'000};  ///< Of nine points, three and a half seconds each.
   static constexpr Moment kQuickStopTime{1'999'000};  ///< M410 keeps the planner empty so long.
   static constexpr Moment kReportPeriod{1'000'000};   ///< Of temperatures during M109 and M190.
   static constexpr Moment kHeatPoll{100'000};
@@ -58,6 +60,8 @@ class Executor {
 
   /// Seconds between reports that M155 asked for; 0 is none.
   [[nodiscard]] Moment report_period() const { return report_period_; }
+  /// The same of positions, that M154 asked for.
+  [[nodiscard]] Moment position_period() const { return position_period_; }
   /// Seconds between "busy" lines (M113); 0 is none.
   [[nodiscard]] Moment busy_period() const { return busy_period_; }
 
@@ -89,6 +93,8 @@ class Executor {
   void finish_homing(Moment now);
   void rename_position(const GcodeCommand& command, Moment now);
   void wait_for_heater(const GcodeCommand& command, Heater& heater, Moment now);
+  void check_job(bool may_start, Moment now);
+  void probe_bed();
   void heat_to(Heater& heater, double celsius, Moment now);
   void speak(std::string_view words);
   /// Waits until all moves are made, then goes on to `next`.
@@ -147,6 +153,7 @@ class Executor {
   Axes homed_shift_;  ///< and what is then left of G92: that of the other axes.
 
   Moment report_period_{0};
+  Moment position_period_{0};
   Moment busy_period_{2'000'000};
 };
 

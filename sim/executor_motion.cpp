@@ -122,6 +122,19 @@ void Executor::home(const GcodeCommand& command) {
   become_still(Stage::kHome);
 }
 
+void Executor::probe_bed() {
+  if (!machine_.homed) {
+    text_ += "echo:Home XYZ First\n";
+    return;
+  }
+  wait_ = kProbingTime;
+  become_still(Stage::kDwell);
+  then([this](Moment) {
+    machine_.leveling.probe();
+    text_ += machine_.leveling.grid_text();
+  });
+}
+
 void Executor::set_advance(const GcodeCommand& command) {
   constexpr double kMost = 10;
   const auto k = command.value('K');

@@ -14,11 +14,18 @@ struct Row {
 };
 
 constexpr std::array kRows = std::to_array<Row>({
+    {Feature::kAdvancedOk, "advanced-ok", ""},
+    {Feature::kBedLeveling, "bed-leveling", ",AUTOLEVEL,Z_PROBE,LEVELING_DATA,"},
+    {Feature::kEeprom, "eeprom", ",EEPROM,"},
     {Feature::kEmergencyParser, "emergency-parser", ",EMERGENCY_PARSER,"},
     {Feature::kFilamentChange, "filament-change", ""},
     {Feature::kFilamentSensor, "filament-sensor", ",RUNOUT,"},
     {Feature::kHostPrompts, "host-prompts", ",HOST_ACTION_COMMANDS,PROMPT_SUPPORT,"},
     {Feature::kLinearAdvance, "linear-advance", ""},
+    {Feature::kMeatPack, "meatpack", ",MEATPACK,"},
+    {Feature::kPositionReports, "position-reports", ",AUTOREPORT_POS,"},
+    {Feature::kProgress, "progress", ",BUILD_PERCENT,"},
+    {Feature::kSdCard, "sd-card", ",SDCARD,SD_WRITE,"},
 });
 
 }  // namespace

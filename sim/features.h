@@ -10,11 +10,18 @@ namespace slipstick {
 
 /// What a firmware can be built with that Marlin's default configuration leaves out.
 enum class Feature : std::uint8_t {
+  kAdvancedOk,
+  kBedLeveling,
+  kEeprom,
   kEmergencyParser,
   kFilamentChange,
   kFilamentSensor,
   kHostPrompts,
   kLinearAdvance,
+  kMeatPack,
+  kPositionReports,
+  kProgress,
+  kSdCard,
 };
 
 /// A set of them.

@@ -118,7 +118,14 @@ bool Firmware::read_lines(Moment now) {
   while (reads() && !resending_) {
     const auto byte = ring_.pop();
     if (!byte) break;
-    if (const auto line = reader_.feed(*byte)) receive(*line, now);
+    if (!machine_.options.features.has(Feature::kMeatPack)) {
+      if (const auto line = reader_.feed(*byte)) receive(*line, now);
+      continue;
+    }
+    for (const char c : meat_pack_.feed(*byte)) {
+      if (const auto line = reader_.feed(c)) receive(*line, now);
+    }
+    text_ += meat_pack_.take_text();
   }
   return true;
 }
@@ -153,7 +160,7 @@ void Firmware::reject(Verdict verdict) {
 void Firmware::request_resend() {
   ring_.clear();
   text_ += fmt::format("{}{}\n", personality_.resend, gate_.last_number() + 1)
-               .append(personality_.resend_tail);
+               .append(personality_.resend_tail == kOk ? ok() : personality_.resend_tail);
   resending_ = false;
   ++resends_requested_;
 }
@@ -211,13 +218,31 @@ bool Firmware::stay_busy(Moment now) {
 }
 
 bool Firmware::report(Moment now) {
-  if (executor_.report_period() != report_period_) {
-    report_period_ = executor_.report_period();
-    report_at_ = now + report_period_;
+  const bool temperatures = temperatures_.due(executor_.report_period(), now);
+  const bool positions = positions_.due(executor_.position_period(), now);
+  if (temperatures) text_ += temperature_text(machine_) + "\n";
+  if (positions) text_ += position_report(machine_, now);
+  return temperatures || positions;
+}
+
+std::string Firmware::ok() const {
+  if (!machine_.options.features.has(Feature::kAdvancedOk)) return std::string(kOk);
+  const std::string_view line = queue_.empty() ? std::string_view() : queue_.front().line;
+  std::string number;
+  if (line.starts_with('N')) {
+    number = fmt::format(" {}", line.substr(0, line.find_first_not_of("-0123456789", 1)));
   }
-  if (report_period_ <= Moment(0) || now < report_at_) return false;
-  text_ += temperature_text(machine_) + "\n";
-  report_at_ = now + report_period_;
+  // The command that is acknowledged still takes its place.
+  const std::size_t taken = std::min(queue_.size(), personality_.queue_max);
+  return fmt::format("ok{} P{} B{}\n", number, Planner::kUsable - machine_.planner.queued(),
+                     personality_.queue_max - taken);
+}
+
+bool Firmware::read_card() {
+  const auto next = machine_.card.next();
+  if (!next) return false;
+  text_ += next->said;
+  if (next->line && !next->line->empty()) queue_.push_back({*next->line, true});
   return true;
 }
 
@@ -225,7 +250,11 @@ void Firmware::begin_command(Moment now) {
   busy_at_ = now + executor_.busy_period();
   const bool late_ok = personality_.ok == OkTime::kWhenDone && !queue_.front().own;
   ok_due_ = late_ok;
-  const auto command = parse_gcode(queue_.front().line);
+  const std::string& line = queue_.front().line;
+  if (machine_.options.features.has(Feature::kSdCard) && machine_.card.writes(bare_command(line))) {
+    return;
+  }
+  const auto command = parse_gcode(line);
   if (command && command->is('M', 112)) return kill(personality_.shutdown);
   if (command && command->is('M', 110)) {
     constexpr double kMost = std::numeric_limits<std::int32_t>::max();
@@ -240,12 +269,12 @@ void Firmware::begin_command(Moment now) {
     return;
   }
   if (command && command->is('M', 999)) return request_resend();
-  executor_.begin(queue_.front().line, command, now);
+  executor_.begin(line, command, now);
   ok_due_ = late_ok && executor_.wants_ok();
 }
 
 bool Firmware::run_command(Moment now) {
-  if (queue_.empty()) return false;
+  if (queue_.empty()) return read_card();
   const bool fresh = !executor_.running();
   if (fresh) begin_command(now);
   if (machine_.halted) return true;
@@ -256,14 +285,14 @@ bool Firmware::run_command(Moment now) {
   if (personality_.ok == OkTime::kWhenReceived && printed.starts_with("ok ")) printed.erase(0, 3);
   text_ += printed;
   if (!returned) return fresh || !printed.empty();
-  if (ok_due_) text_ += kOk;
+  if (ok_due_) text_ += ok();
   queue_.pop_front();
   return true;
 }
 
 bool Firmware::has_work() const {
-  return emergency_ || resending_ || (reads() && !ring_.empty()) ||
-         (!queue_.empty() && !executor_.running());
+  return emergency_ || resending_ || (machine_.card.prints() && queue_.empty()) ||
+         (reads() && !ring_.empty()) || (!queue_.empty() && !executor_.running());
 }
 
 std::optional<Moment> Firmware::wakes_at(Moment now) const {
@@ -273,7 +302,8 @@ std::optional<Moment> Firmware::wakes_at(Moment now) const {
   std::optional<Moment> first;
   const auto consider = [&first](Moment m) { first = first ? std::min(*first, m) : m; };
   if (has_to_guard()) consider(guard_at_);
-  if (report_period_ > Moment(0)) consider(report_at_);
+  if (const auto at = temperatures_.next_at()) consider(*at);
+  if (const auto at = positions_.next_at()) consider(*at);
   if (personality_.wait_period > Moment(0) && queue_.empty()) consider(wait_at_);
   if (!executor_.running()) return first;
   if (!personality_.busy.empty() && executor_.busy_period() > Moment(0)) consider(busy_at_);

@@ -5,11 +5,13 @@
 #include <optional>
 #include <string>
 
+#include "sim/auto_report.h"
 #include "sim/emergency_parser.h"
 #include "sim/executor.h"
 #include "sim/line_gate.h"
 #include "sim/line_reader.h"
 #include "sim/machine.h"
+#include "sim/meat_pack.h"
 #include "sim/personality.h"
 #include "sim/rx_ring.h"
 #include "sim/thermal_guard.h"
@@ -93,11 +95,17 @@ class Firmware {
   bool run_command(Moment now);
   [[nodiscard]] bool has_work() const;
   void begin_command(Moment now);
+  /// The line that acknowledges the command at the front.
+  [[nodiscard]] std::string ok() const;
+  /// Takes the next line of the file that the machine prints from its card. \return Whether it
+  /// prints one.
+  bool read_card();
 
   Machine& machine_;
   Personality personality_;
   Executor executor_;
   RxRing ring_;
+  MeatPack meat_pack_;
   LineReader reader_;
   EmergencyParser emergency_parser_;
   std::optional<Emergency> emergency_;  ///< Found and not yet obeyed.
@@ -115,8 +123,8 @@ class Firmware {
   Moment busy_at_{0};        ///< When to say "busy", while a command runs.
   Moment wait_at_{0};        ///< When to say "wait", if nothing happens before.
   Moment guard_at_{0};       ///< When to look at the heaters, if they are to be.
-  Moment report_at_{0};      ///< Next automatic report.
-  Moment report_period_{0};  ///< As it was when `report_at_` was set.
+  AutoReport temperatures_;  ///< M155
+  AutoReport positions_;     ///< M154
   std::int64_t lines_accepted_ = 0;
   std::int64_t resends_requested_ = 0;
 };

@@ -21,7 +21,7 @@ double seconds(Moment m) {
 }  // namespace
 
 HeaterOptions nozzle_options() {
-  return {};
+  return {.fan_loss = 0.1};
 }
 
 HeaterOptions bed_options() {
@@ -47,7 +47,11 @@ void Heater::shut_off() {
 double Heater::celsius() const {
   if (defect_ == HeaterDefect::kSensorOpen) return kOpenCelsius;
   if (defect_ == HeaterDefect::kSensorShorted) return kShortCelsius;
-  return celsius_;
+  return celsius_ + off_by_;
+}
+
+void Heater::read_sensor() {
+  if (options_.noise > 0) off_by_ = options_.noise * (2 * rng_.unit() - 1);
 }
 
 double Heater::true_share() const {
@@ -71,6 +75,7 @@ double Heater::pid() {
 }
 
 void Heater::control() {
+  read_sensor();
   if (options_.control == HeaterOptions::Control::kPid) {
     share_ = pid() / kSteps;
     next_control_ += kControlPeriod;
@@ -81,9 +86,10 @@ void Heater::control() {
 }
 
 void Heater::warm(Moment to) {
-  const double settles_at = kRoomCelsius + true_share() * options_.rise_max;
-  celsius_ =
-      settles_at + (celsius_ - settles_at) * std::exp(-seconds(to - now_) / options_.time_constant);
+  const double loss = 1 + options_.fan_loss * draught_;
+  const double settles_at = kRoomCelsius + true_share() * options_.rise_max / loss;
+  celsius_ = settles_at + (celsius_ - settles_at) *
+                              std::exp(-seconds(to - now_) * loss / options_.time_constant);
   now_ = to;
 }
 

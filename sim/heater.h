@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "core/base/rng.h"
 #include "drivers/clock.h"
 
 namespace slipstick {
@@ -24,6 +25,9 @@ struct HeaterOptions {
   double time_constant = 95;  ///< Seconds in which a difference falls to 1/e.
   double target_max = 260;    ///< °C: higher targets are cut down to it.
   Control control = Control::kPid;
+  double fan_loss = 0;     ///< A fan at full speed takes off so much more heat, as a share.
+  double noise = 0;        ///< °C that a reading is off at most.
+  std::uint64_t seed = 1;  ///< Of that.
 };
 
 /// The hot end and the bed as measured on Marlin's own simulated board: 4 °C/s and 1.3 °C/s when
@@ -43,8 +47,10 @@ class Heater {
   static constexpr double kOpenCelsius = -15;  ///< Read of a sensor that is not there,
   static constexpr double kShortCelsius = 400;  ///< or whose wires touch.
 
-  explicit Heater(const HeaterOptions& options) : options_(options) {}
+  explicit Heater(const HeaterOptions& options) : options_(options), rng_(options.seed) {}
 
+  /// How fast the fan beside it turns, 0 to 1.
+  void set_draught(double share) { draught_ = share; }
   /// 0 is off.
   void set_target(double celsius);
   [[nodiscard]] double target() const { return target_; }
@@ -69,6 +75,7 @@ class Heater {
 
  private:
   void control();
+  void read_sensor();
   [[nodiscard]] double pid();
 
   void warm(Moment to);
@@ -77,7 +84,10 @@ class Heater {
 
   HeaterOptions options_;
   HeaterDefect defect_ = HeaterDefect::kNone;
+  Rng rng_;
   double celsius_ = kRoomCelsius;
+  double off_by_ = 0;  ///< The sensor, °C.
+  double draught_ = 0;
   double target_ = 0;
   double share_ = 0;  ///< Of full power.
   double integral_ = 0;

@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 #include "core/base/vec.h"
+#include "sim/bed_leveling.h"
 #include "sim/features.h"
 #include "sim/heater.h"
+#include "sim/job_timer.h"
 #include "sim/planner.h"
+#include "sim/sd_card.h"
 
 namespace slipstick {
 
@@ -17,6 +21,8 @@ struct MachineOptions {
   Kinematics kinematics = {};
   MotionLimits limits = {};  ///< When it is switched on.
   HeaterOptions nozzle = nozzle_options();
+  double sensor_noise = 0;  ///< °C that readings are off at most.
+  std::uint64_t seed = 1;   ///< Of that.
   Features features = {};
 };
 
@@ -29,6 +35,13 @@ struct MachineOptions {
   limits.acceleration_max.z = limits.acceleration_max.x;
   if (limits.jerk) limits.jerk->z = limits.jerk->x;
   return machine;
+}
+
+/// `heater` with a sensor as noisy as `machine` has them.
+[[nodiscard]] inline HeaterOptions noisy(HeaterOptions heater, const MachineOptions& machine) {
+  heater.noise = machine.sensor_noise;
+  heater.seed = machine.seed;
+  return heater;
 }
 
 /// Everything of the printer that commands change, and how it stands when it is switched on.
@@ -45,7 +58,8 @@ struct Machine {
         spool(std::move(loaded)),
         planner(through(spool, sink), built.kinematics),
         move_sink(sink),
-        nozzle(built.nozzle) {}
+        nozzle(noisy(built.nozzle, built)),
+        bed(noisy(bed_options(), built)) {}
 
   MachineOptions options;
   MotionLimits limits;
@@ -53,8 +67,12 @@ struct Machine {
   Planner planner;
   Planner::Sink move_sink;
   Heater nozzle;
-  Heater bed{bed_options()};
+  Heater bed;
   int fan = 0;  ///< 0 to 255.
+  SdCard card;
+  std::optional<MotionLimits> stored;  ///< In the EEPROM.
+  BedLeveling leveling;
+  JobTimer job;
 
   Axes position;         ///< Where the last command said to go, in its own coordinates.
   Axes shift;            ///< What G92 made of them: X, Y, Z of the machine less those of commands.
@@ -72,6 +90,7 @@ struct Machine {
   bool halted = false;               ///< After kill(): only a reset helps.
 
   void advance(Moment now) {
+    nozzle.set_draught(fan / 255.0);
     nozzle.advance(now);
     bed.advance(now);
     if (!halted) planner.advance(now);
@@ -96,7 +115,13 @@ struct Machine {
   void reset() {
     const Heater was_nozzle = nozzle;
     const Heater was_bed = bed;
+    const SdCard was_card = card;
+    const auto was_stored = stored;
     *this = Machine(options, move_sink, spool);
+    card = was_card;
+    card.reset();
+    stored = was_stored;
+    if (stored) limits = *stored;
     nozzle = was_nozzle;
     bed = was_bed;
     nozzle.shut_off();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <string_view>
 
 #include "sim/reports.h"
@@ -58,10 +59,42 @@ std::string load_defaults(Machine& machine) {
   return std::string(kDefaultsLoaded);
 }
 
+/// "(812 bytes; crc 12345)": Marlin's own CRC of what is stored.
+std::string size_and_crc(const Machine& machine) {
+  constexpr std::uint16_t kPolynomial = 0x1021;
+  const std::string text = settings_report(machine);
+  std::uint16_t crc = 0;
+  for (const char c : text) {
+    crc = static_cast<std::uint16_t>(crc ^ static_cast<unsigned char>(c) << 8U);
+    for (int bit = 0; bit < 8; ++bit) {
+      const bool carries = (crc & 0x8000U) != 0;
+      crc = static_cast<std::uint16_t>(crc << 1U);
+      if (carries) crc ^= kPolynomial;
+    }
+  }
+  return fmt::format("({} bytes; crc {})\n", text.size(), crc);
+}
+
+std::string store(Machine& machine) {
+  machine.stored = machine.limits;
+  return "echo:Settings Stored " + size_and_crc(machine);
+}
+
+std::string load_stored(Machine& machine) {
+  if (!machine.stored) return load_defaults(machine);
+  machine.limits = *machine.stored;
+  return "echo:V86 stored settings retrieved " + size_and_crc(machine);
+}
+
 }  // namespace
 
-std::optional<std::string> run_service_command(const GcodeCommand& command, Machine& machine) {
+std::optional<std::string> run_service_command(const GcodeCommand& command, Machine& machine,
+                                               Moment now) {
   if (command.letter() != 'M') return std::nullopt;
+  const auto has = [&](Feature feature) { return machine.options.features.has(feature); };
+  if (has(Feature::kSdCard)) {
+    if (auto answer = machine.card.run(command)) return answer;
+  }
   switch (command.code()) {
     case 111:
       return debug_report(
@@ -70,13 +103,30 @@ std::optional<std::string> run_service_command(const GcodeCommand& command, Mach
       return "Reporting endstop status\nx_min: open\ny_min: open\nz_min: open\n";
     case 211:
       return run_endstops(command, machine);
+    case 31:
+      return "echo:Print time: " + machine.job.text(now) + "\n";
+    case 73:
+      if (!has(Feature::kProgress)) return std::nullopt;
+      return "";
+    case 75:
+      machine.job.start(now);
+      return "";
+    case 76:
+      machine.job.pause(now);
+      return "";
+    case 77:
+      machine.job.stop(now);
+      return "";
     case 412:
-      if (!machine.options.features.has(Feature::kFilamentSensor)) return std::nullopt;
+      if (!has(Feature::kFilamentSensor)) return std::nullopt;
       return run_filament_sensor(command, machine);
+    case 420:
+      if (!has(Feature::kBedLeveling)) return std::nullopt;
+      return machine.leveling.run(command);
     case 500:
-      return "Error:EEPROM disabled\n";
+      return has(Feature::kEeprom) ? store(machine) : "Error:EEPROM disabled\n";
     case 501:
-      return load_defaults(machine) + settings_report(machine);
+      return load_stored(machine).append(settings_report(machine));
     case 502:
       return load_defaults(machine);
     case 503:

@@ -80,6 +80,14 @@ Taken take_kinematics(SimOptions& options, const std::string& value) {
   return {};
 }
 
+Taken take_noise(SimOptions& options, const std::string& value) {
+  constexpr double kMost = 20;
+  const auto celsius = number_in(value, 0, kMost);
+  if (!celsius) return "give °C that a reading may be off, 0 to 20";
+  options.printer.machine.sensor_noise = *celsius;
+  return {};
+}
+
 Taken take_realtime(SimOptions& options, const std::string& value) {
   if (value != "0" && value != "1") return "give 0 or 1";
   options.realtime = value == "1";
@@ -89,7 +97,7 @@ Taken take_realtime(SimOptions& options, const std::string& value) {
 Taken take_seed(SimOptions& options, const std::string& value) {
   const auto seed = number_in(value, 0, kSeedMax);
   if (!seed || !is_whole(*seed)) return "give a whole number";
-  options.printer.seed = static_cast<std::uint64_t>(*seed);
+  options.printer.seed = options.printer.machine.seed = static_cast<std::uint64_t>(*seed);
   return {};
 }
 
@@ -115,6 +123,7 @@ constexpr std::array kOptions = std::to_array<Option>({{"baud", take_baud},
                                                        {"firmware", take_firmware},
                                                        {"jerk", take_jerk},
                                                        {"kinematics", take_kinematics},
+                                                       {"noise", take_noise},
                                                        {"realtime", take_realtime},
                                                        {"seed", take_seed},
                                                        {"with", take_features}});

@@ -122,7 +122,6 @@ struct RealDialogue {
 };
 
 // Marlin 2.1.2, built as a process of its own; a second in it is one of the machine's clock.
-constexpr const char* kNoTimer = "there is no timer of the print job";
 constexpr const char* kLate = "how far it moves depends on when the line was read, to 4 ms";
 constexpr const char* kKeeps = "a little above the room that board's nozzle keeps its heat longer";
 constexpr const char* kSettles = "nearing its target it is 2 °C or 1 s off: the controls' beats";
@@ -138,7 +137,7 @@ constexpr const char* kStarting = "the host asked before that board had started"
 constexpr const char* kTransmitter = "that board has a transmit buffer and flushes without waiting";
 
 std::vector<RealDialogue> real_dialogues() {
-  return {{"banner", 0, {{99, kNoTimer}}},
+  return {{"banner", 0, {}},
           {"errors"},
           {"cold"},
           {"m108", 0, {{20, kKeeps}, {46, kLate}}},
