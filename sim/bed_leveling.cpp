@@ -9,10 +9,10 @@ namespace slipstick {
 void BedLeveling::probe() {
   constexpr double kBump = 0.12;
   constexpr double kTilt = 0.05;
-  for (int row = 0; row < kSide; ++row) {
-    for (int column = 0; column < kSide; ++column) {
+  for (std::size_t row = 0; row < kSide; ++row) {
+    for (std::size_t column = 0; column < kSide; ++column) {
       const double middle = row == 1 && column == 1 ? kBump : 0;
-      heights_[static_cast<std::size_t>(row * kSide + column)] = middle + kTilt * (column - 1);
+      heights_[row * kSide + column] = middle + kTilt * (static_cast<double>(column) - 1);
     }
   }
   measured_ = on_ = true;
@@ -20,11 +20,11 @@ void BedLeveling::probe() {
 
 std::string BedLeveling::grid_text() const {
   std::string text = "Bilinear Leveling Grid:\n ";
-  for (int column = 0; column < kSide; ++column) text += fmt::format("{:>7}", column);
-  for (int row = 0; row < kSide; ++row) {
+  for (std::size_t column = 0; column < kSide; ++column) text += fmt::format("{:>7}", column);
+  for (std::size_t row = 0; row < kSide; ++row) {
     text += fmt::format("\n {}", row);
-    for (int column = 0; column < kSide; ++column) {
-      const double height = heights_[static_cast<std::size_t>(row * kSide + column)];
+    for (std::size_t column = 0; column < kSide; ++column) {
+      const double height = heights_[row * kSide + column];
       text += measured_ ? fmt::format(" {:+.3f}", height) : std::string("  =====");
     }
   }

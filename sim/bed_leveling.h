@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -13,7 +14,7 @@ namespace slipstick {
 /// bent.
 class BedLeveling {
  public:
-  static constexpr int kSide = 3;
+  static constexpr std::size_t kSide = 3;
 
   /// What G29 measures of a bed that is a little higher in the middle and at the right.
   void probe();

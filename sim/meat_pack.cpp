@@ -74,32 +74,30 @@ void MeatPack::unpack(std::uint8_t byte) {
   }
 }
 
+void MeatPack::pass(std::uint8_t byte) {
+  if (!on_) {
+    emit(static_cast<char>(byte));
+  } else if (literals_ > 0) {
+    literal(static_cast<char>(byte));
+  } else {
+    unpack(byte);
+  }
+}
+
 std::span<const char> MeatPack::feed(char byte) {
   const auto value = static_cast<std::uint8_t>(byte);
   count_ = 0;
   if (signals_ == 2) {
     signals_ = 0;
     obey(value);
-  } else if (value == kSignal && literals_ == 0 && ++signals_ == 2) {
-    // A command follows.
-  } else if (value == kSignal && literals_ == 0) {
-    // It may begin a command; if not, it says that two literals follow.
-  } else {
-    if (std::exchange(signals_, 0) == 1) {
-      if (on_) {
-        unpack(kSignal);
-      } else {
-        emit(static_cast<char>(kSignal));
-      }
-    }
-    if (!on_) {
-      emit(byte);
-    } else if (literals_ > 0) {
-      literal(byte);
-    } else {
-      unpack(value);
-    }
+    return {out_.data(), count_};
   }
+  if (value == kSignal && literals_ == 0) {
+    ++signals_;  // One says that two literals follow, or is half the way to a command.
+    return {out_.data(), count_};
+  }
+  if (std::exchange(signals_, 0) == 1) pass(kSignal);
+  pass(value);
   return {out_.data(), count_};
 }
 

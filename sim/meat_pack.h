@@ -21,6 +21,7 @@ class MeatPack {
 
  private:
   void obey(std::uint8_t command);
+  void pass(std::uint8_t byte);
   void unpack(std::uint8_t byte);
   void literal(char byte);
   void emit(char c) { out_[count_++] = c; }

@@ -57,6 +57,23 @@ std::string packed(const std::string& text, bool no_spaces) {
   return bytes;
 }
 
+std::string any_line(Rng& rng) {
+  if (rng.below(10) == 0) return command_bytes(static_cast<unsigned char>(rng.below(256)));
+  std::string line = (rng.below(4) == 0 ? "G" : "M") + std::to_string(rng.below(1000));
+  for (std::uint64_t n = rng.below(4); n > 0; --n) {
+    line += std::string(" ") + static_cast<char>('A' + rng.below(26));
+    if (rng.below(3) > 0) line += std::to_string(static_cast<int>(rng.below(400)) - 100);
+  }
+  return line;
+}
+
+void disturb(Dialogue& dialogue, Rng& rng) {
+  if (rng.below(20) == 0) dialogue.printer().run_out_of_filament();
+  if (rng.below(10) == 0) dialogue.printer().press_button();
+  dialogue.say(any_line(rng), 20 * kSecond);
+  if (dialogue.printer().machine().halted) dialogue.printer().reset();
+}
+
 }  // namespace
 
 TEST_CASE("With ADVANCED_OK an acknowledgement tells its line and what room there is") {
@@ -255,18 +272,7 @@ TEST_CASE("Any lines may come to a board with everything built in: it answers an
   Rng rng(11);
   for (int round = 0; round < 200; ++round) {
     Dialogue dialogue = with(all);
-    for (int i = 0; i < 200; ++i) {
-      std::string line = (rng.below(4) == 0 ? "G" : "M") + std::to_string(rng.below(1000));
-      for (std::uint64_t n = rng.below(4); n > 0; --n) {
-        line += " " + std::string(1, static_cast<char>('A' + rng.below(26)));
-        if (rng.below(3) > 0) line += std::to_string(static_cast<int>(rng.below(400)) - 100);
-      }
-      if (rng.below(10) == 0) line = command_bytes(static_cast<unsigned char>(rng.below(256)));
-      if (rng.below(20) == 0) dialogue.printer().run_out_of_filament();
-      if (rng.below(10) == 0) dialogue.printer().press_button();
-      dialogue.say(line, 20 * kSecond);
-      if (dialogue.printer().machine().halted) dialogue.printer().reset();
-    }
+    for (int i = 0; i < 200; ++i) disturb(dialogue, rng);
     dialogue.printer().reset();
     dialogue.listen(kSecond);
     CHECK_THAT(dialogue.say("M117"), Catch::StartsWith("ok"));
