@@ -19,5 +19,6 @@ namespace slipstick::targets {
 [[nodiscard]] std::vector<Row> placement_rows();
 [[nodiscard]] std::vector<Row> certificate_rows();
 [[nodiscard]] std::vector<Row> simulation_rows();
+[[nodiscard]] std::vector<Row> sender_rows();
 
 }  // namespace slipstick::targets
