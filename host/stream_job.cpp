@@ -47,8 +47,7 @@ class Stream {
   Result<StreamOutcome> run() {
     while (true) {
       heed_requests();
-      feed();
-      if (const auto ok = write(); !ok) return out_of_reach(ok.error());
+      if (const auto ok = feed_and_write(); !ok) return out_of_reach(ok.error());
       const SenderState state = sender_.state();
       control_.tell(state, sender_.counters());
       if (listeners_.on_progress) listeners_.on_progress(state, sender_.counters());
@@ -91,6 +90,17 @@ class Stream {
     give_up({ErrorCode::kCancelled, "emergency stop; reset the printer"});
     sender_.emergency_stop();
     output_.clear();
+  }
+
+  // A window takes several lines in a row; each turn fills it by one, so that this ends.
+  Result<void> feed_and_write() {
+    while (true) {
+      const std::uint64_t sent = sender_.counters().lines_sent;
+      feed();
+      if (const auto ok = write(); !ok) return ok;
+      const bool took = sender_.counters().lines_sent > sent;
+      if (!took || ended_ || hungry_ || !sender_.wants_line()) return {};
+    }
   }
 
   void feed() {

@@ -31,6 +31,7 @@ struct PrinterSettings {
   double speed_max = 200;   ///< mm/s, X and Y.
   double z_speed_max = 10;  ///< mm/s.
   int baud = 115200;
+  int window = 0;           ///< Bytes of moves under way to the board; 0: one line at a time.
   std::string start_gcode;  ///< {bed_celsius} and {nozzle_celsius} are replaced.
   std::string end_gcode;
 };

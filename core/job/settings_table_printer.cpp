@@ -50,6 +50,12 @@ constexpr Setting kRows[] = {
      IntegerSetting{[](auto& s) -> decltype(auto) { return (s.printer.baud); }, 9600, 2000000},
      "Speed of the serial port. It is in the board's manual or firmware, mostly 115200 or 250000; "
      "native USB ignores it."},
+    {"window", SettingGroup::kPrinter, "bytes",
+     IntegerSetting{[](auto& s) -> decltype(auto) { return (s.printer.window); }, 0, 120},
+     "Moves that may be under way to the board at once, as bytes; 0 sends one line at a time, "
+     "which "
+     "survives any cable. 96 keeps slow ports full, on cables that lose nothing: a line damaged in "
+     "a window may end the print."},
     {"start_gcode", SettingGroup::kPrinter, "",
      GcodeSetting{[](auto& s) -> decltype(auto) { return (s.printer.start_gcode); }},
      "Lines before the first layer; {bed_celsius} and {nozzle_celsius} are replaced. Take them "

@@ -21,6 +21,7 @@ constexpr Moment kLastWordsInterval = std::chrono::milliseconds(250);
 Sender::Sender(SenderOptions options) : options_(options) {
   SLIPSTICK_CHECK(options.first_number >= 0);
   SLIPSTICK_CHECK(options.report_seconds >= 1 && options.report_seconds <= 60);
+  SLIPSTICK_CHECK(options.window >= 0 && options.window <= kWindowMax);
   if (!options.kept) return;
   greeting_ = false;
   first_ = accepted_ = sure_ = options.kept->last;
@@ -125,7 +126,8 @@ void Sender::step(Moment now) {
   }
   if (over() || listening_until_) return;
   if (!outstanding_) return send_next(now);
-  if (now >= deadline_) on_silence(now);
+  if (now >= deadline_) return on_silence(now);
+  if (has_room_behind()) send_next(now);
 }
 
 void Sender::send_next(Moment now) {
@@ -147,6 +149,8 @@ bool Sender::bind_next(Moment now) {
   } else if (queued_ && lines_.lost() && position_requests_ < kPositionRequests) {
     ++position_requests_;
     bind("M114", LineOwner::kSender);
+  } else if (queued_ && wants_proof()) {
+    proof_ = bind("M105", LineOwner::kSender);
   } else if (queued_) {
     bind(queued_->text(), queued_for_);
     queued_.reset();
@@ -174,12 +178,18 @@ void Sender::trust(LineNumber number) {
 void Sender::transmit(Moment now) {
   const std::string& text = lines_.at(cursor_).text;
   output_ += frame(cursor_, text);
+  const bool behind = outstanding_ && probes_ == 0;
   if (probes_ == 0) {
     patience_ = patience_for(text);
-    loose_ends_ = 0;
+    if (!behind) loose_ends_ = 0;
   }
-  outstanding_ = cursor_;
-  odd_text_ = false;
+  if (behind) {
+    several_ = unproven_ = true;
+    ++counters_.lines_behind;
+  } else {
+    outstanding_ = cursor_;
+    odd_text_ = false;
+  }
   sent_at_ = now;
   deadline_ = now + patience_;
   ++cursor_;

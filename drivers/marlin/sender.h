@@ -30,6 +30,13 @@ struct SenderOptions {
   /// The number of the M110. From 10,000 on, damage that makes a G, M or T of the N gives no
   /// command that any firmware has: N28 could become G28, N112 a kill.
   LineNumber first_number = 10'000;
+  /// Bytes of moves that may be under way to the printer; 0 is one line at a time. At most
+  /// kWindowMax. A window keeps the wire full, but where a line in it is damaged, what a board
+  /// obeys of the lines behind cannot be taken back: the print ends then, and says so.
+  int window = 0;
+  /// Lines that must be acknowledged one by one, with nothing odd, before it opens, and opens
+  /// again.
+  int proving = 64;
   /// Goes on with that count, without a greeting.
   std::optional<KeptSession> kept;
 };
@@ -38,10 +45,11 @@ struct SenderOptions {
 /// damages and loses bytes both ways.
 ///
 /// A pure state machine: bytes and time go in, bytes come out; no thread, no I/O, no clock. One
-/// line is in flight at a time. `ok`s are hints and never counted: the truth is Marlin's own rule
-/// that a numbered line is executed only as the successor of the last (see SentLines), and the
-/// sender finds out where the printer stands by sending a new number and reading which one it would
-/// rather have.
+/// line is in flight at a time, or, where a window is asked for and the wire has proved good, moves
+/// as long as the window (sender_window.cpp). `ok`s are hints and never counted: the truth is
+/// Marlin's own rule that a numbered line is executed only as the successor of the last (see
+/// SentLines), and the sender finds out where the printer stands by sending a new number and
+/// reading which one it would rather have.
 ///
 /// Use: call `take_output` after every other call and whenever `wakeup` has come, and write what it
 /// gives; `push` a line while `wants_line`.
@@ -67,6 +75,11 @@ class Sender {
   static constexpr int kEmergencyStops = 5;
   static constexpr int kSafeStops = 20;
   static constexpr std::size_t kMaxEvents = 256;
+  /// The receive buffer of the smallest boards holds 127 bytes.
+  static constexpr int kWindowMax = 120;
+  /// Lines in a window, and after how many of them a question proves that all were taken.
+  static constexpr LineNumber kWindowLines = 16;
+  static constexpr LineNumber kProofEvery = 24;
 
   explicit Sender(SenderOptions options = {});
 
@@ -112,6 +125,7 @@ class Sender {
     std::optional<LineNumber> requested;  ///< By a Resend.
     std::optional<LineNumber> last_line;  ///< By an Error.
     bool refused = false;                 ///< Any of the two came, readable or not.
+    bool several = false;                 ///< More than one line was under way.
     bool mismatch = false;  ///< By a whole "checksum mismatch": nothing of the line was executed.
   };
 
@@ -130,6 +144,13 @@ class Sender {
   LineNumber bind(std::string text, LineOwner owner);
   void trust(LineNumber number);
   void transmit(Moment now);
+
+  // sender_window.cpp: several lines under way.
+  [[nodiscard]] bool has_room_behind() const;
+  [[nodiscard]] bool wants_proof() const;
+  [[nodiscard]] std::optional<LineNumber> answered(const Ok& ok) const;
+  void prove(LineNumber number);
+  [[nodiscard]] LineNumber first_move_from(LineNumber number) const;
   void say_last_words(Moment now);
   void tell(SenderEvent event);
   void give_up(SenderState state, std::string reason);
@@ -161,7 +182,7 @@ class Sender {
   void on(const Start& start, Moment now);
   void on(const Wait& wait, Moment now);
   void on(const Unknown& unknown, Moment now);
-  [[nodiscard]] bool answers(const Ok& ok) const;
+  [[nodiscard]] bool may_answer(const Ok& ok, LineNumber number) const;
   void acknowledge(LineNumber number, Moment now);
   void stay_patient(Moment now);
 
@@ -173,7 +194,12 @@ class Sender {
   void rewind(LineNumber number);
 
   // sender_ghosts.cpp: a refused line whose tail was obeyed.
-  void doubt(LineNumber next, bool refused_whole, bool lost_whole);
+  struct Refusal {
+    bool whole = false;    ///< Nothing of the line was executed.
+    bool lost = false;     ///< It never came.
+    bool several = false;  ///< Others were under way behind it.
+  };
+  void doubt(LineNumber next, const Refusal& refusal);
   [[nodiscard]] bool ask_about_doubt();
 
   void on_odd_request(std::optional<LineNumber> number, Moment now);
@@ -213,7 +239,11 @@ class Sender {
   LineNumber accepted_ = -1;  ///< Believed to be the last the printer took.
   LineNumber sure_ = -1;  ///< Known to be taken; a request for it or less is nonsense or a reset.
   LineNumber last_clean_ = -2;  ///< The last that was acknowledged with nothing odd around it.
-  std::optional<LineNumber> outstanding_;
+  std::optional<LineNumber> outstanding_;  ///< The first that is not answered.
+  bool unproven_ = false;  ///< Several were, and no proof came since: more may be than is known.
+  bool several_ = false;   ///< Those up to the cursor are under way as well.
+  int proven_ = 0;         ///< Acknowledged in a row, with nothing odd.
+  LineNumber proof_ = 0;   ///< The last line that asked for a proof.
   bool odd_text_ = false;  ///< Something unreadable came since the outstanding line was sent.
   Moment sent_at_{};
   Moment deadline_{};

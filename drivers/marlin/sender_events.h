@@ -97,6 +97,7 @@ struct SenderCounters {
   std::uint64_t lines_acknowledged =
       0;                             ///< Lines of the job the printer is believed to have taken.
   std::uint64_t lines_sure = 0;      ///< Lines of the job that it has surely taken.
+  std::uint64_t lines_behind = 0;    ///< Lines of any kind sent before the one before was answered.
   std::uint64_t resends = 0;         ///< Lines sent again, of any kind.
   std::uint64_t ghosts = 0;          ///< Lines executed without their number, not sent again.
   std::uint64_t probes = 0;          ///< Questions after a silence.

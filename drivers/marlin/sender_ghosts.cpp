@@ -22,16 +22,19 @@ bool stays(const Position& before, const Position& after) {
 
 }  // namespace
 
-void Sender::doubt(LineNumber next, bool refused_whole, bool lost_whole) {
+void Sender::doubt(LineNumber next, const Refusal& refusal) {
   if (doubt_ && next <= doubt_->line) return;
   doubt_.reset();
-  if (next >= cursor_ || refused_whole) return;
+  // Of the lines behind, tails may have been obeyed however whole the refused one was.
+  if (refusal.several) next = first_move_from(next);
+  if (next >= cursor_ || (refusal.whole && !refusal.several)) return;
   const SentLines::Entry& line = lines_.at(next);
   if (is_repeatable(line.text)) return;
   const Position before = lines_.has(next - 1) ? lines_.at(next - 1).after : Position();
+  const bool never_came = refusal.lost && !refusal.several;
   if (tells_apart(before, line.after)) {
     doubt_ = Doubt{.line = next, .questions = 0, .report = {}};
-  } else if (!lost_whole && !stays(before, line.after)) {
+  } else if (!never_came && !stays(before, line.after)) {
     give_up(SenderState::kLost,
             fmt::format("line {} ({}) was damaged on its way, and whether the printer obeyed part "
                         "of it cannot be told; check the cable and start again",

@@ -20,7 +20,7 @@ constexpr Moment kMaxDrain = std::chrono::seconds(1);
 }  // namespace
 
 void Sender::start_drain(Moment now) {
-  drain_ = Drain{.began = now, .requested = {}, .last_line = {}};
+  drain_ = Drain{.began = now, .requested = {}, .last_line = {}, .several = several_};
 }
 
 Moment Sender::drain_end() const {
@@ -32,6 +32,7 @@ void Sender::finish_drain(Moment now) {
   drain_.reset();
   if (!seen.refused) return;
   const auto refused = std::exchange(outstanding_, std::nullopt);
+  several_ = false;
   const bool silent = probes_ > 0 && loose_ends_ == 0;
   probes_ = 0;
   const auto by_error = seen.last_line ? std::optional(*seen.last_line + 1) : std::nullopt;
@@ -47,7 +48,9 @@ void Sender::finish_drain(Moment now) {
                                           : std::max(*seen.requested, *by_error);
   if (seen.requested == by_error && next - 1 > sure_) trust(next - 1);
   odd_requests_ = 0;
-  doubt(next, seen.mismatch && next == refused, silent && accepted_ < next);
+  doubt(next, {.whole = seen.mismatch && next == refused,
+               .lost = silent && accepted_ < next,
+               .several = seen.several});
   if (!over()) rewind(next);
 }
 

@@ -17,22 +17,21 @@ void Sender::handle(const Reply& reply, Moment now) {
   if (listening_until_ && booting_) listen_to_banner(now);
 }
 
-bool Sender::answers(const Ok& ok) const {
-  if (!outstanding_ || drain_ || over()) return false;
-  if (ok.line && *ok.line != *outstanding_) return false;
+bool Sender::may_answer(const Ok& ok, LineNumber number) const {
+  if (ok.line && *ok.line != number) return false;
   // The temperatures tell whose answer it is. Anything may stand behind the ok of an M105, so that
   // damaged temperatures still count.
-  const bool query = is_command(lines_.at(*outstanding_).text, "M105");
+  const bool query = is_command(lines_.at(number).text, "M105");
   return query ? !ok.bare : !ok.temperatures;
 }
 
 void Sender::on(const Ok& ok, Moment now) {
   if (ok.temperatures) tell(TemperaturesSeen{*ok.temperatures});
-  if (answers(ok)) {
+  if (const auto number = answered(ok)) {
     // Perhaps it answers what noise made of the line: nothing of the job goes out before that is
     // known, or noise could make an unnumbered command of the next line too, and of that alone.
     const bool doubtful = odd_text_ && !greeting_ && ok.bare;
-    return doubtful ? ask_for_truth(now) : acknowledge(*outstanding_, now);
+    return doubtful ? ask_for_truth(now) : acknowledge(*number, now);
   }
   if (over() || listening_until_) return;
   if (!drain_) ++counters_.surplus_oks;
@@ -46,10 +45,16 @@ void Sender::acknowledge(LineNumber number, Moment now) {
   accepted_ = number;
   last_heeded_ = now;
   counters_.lines_acknowledged = lines_.at(number).job_lines;
-  outstanding_.reset();
+  const bool several = std::exchange(several_, several_ && number + 1 < cursor_);
+  outstanding_ = several_ ? std::optional(number + 1) : std::nullopt;
+  if (several_) deadline_ = now + patience_;
+  proven_ = odd_text_ ? 0 : proven_ + 1;
+  if (is_command(lines_.at(number).text, "M105")) unproven_ = false;
   if (odd_text_) {
     // Perhaps this ok answers what noise made of the line; the next line will tell.
     last_clean_ = -2;
+  } else if (several) {
+    prove(number);
   } else {
     if (last_clean_ == number - 1 && number - 1 > sure_) trust(number - 1);
     last_clean_ = number;
@@ -64,6 +69,7 @@ void Sender::on(const Resend& resend, Moment now) {
   if (over() || listening_until_) return;
   if (!drain_) start_drain(now);
   drain_->refused = true;
+  proven_ = 0;
   if (resend.line) drain_->requested = resend.line;
 }
 
@@ -71,6 +77,7 @@ void Sender::on(const LineError& error, Moment now) {
   if (over() || listening_until_) return;
   if (!drain_) start_drain(now);
   drain_->refused = true;
+  proven_ = 0;
   drain_->mismatch = error.text.starts_with("Error:checksum mismatch, Last Line: ");
   if (error.last_line) drain_->last_line = error.last_line;
 }

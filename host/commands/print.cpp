@@ -163,6 +163,7 @@ class PrintRun {
     StreamOptions options{.pace = link_->pace, .parking = parking_place(request_.settings)};
     const auto lines = journal_.begin(source, *link_->clock, options);
     if (!lines) return fail(lines.error());
+    options.sender.window = request_.settings.printer.window;
     Interrupt::pause_by_terminal();
     const auto outcome = stream_job(*link_->transport, *link_->clock, **lines, options);
     journal_.ended(outcome);

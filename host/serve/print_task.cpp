@@ -125,6 +125,7 @@ class TaskRun {
     StreamOptions options{link_->pace, parking_place(settings)};
     const auto lines = journal_.begin(source, *link_->clock, options);
     if (!lines) return fail(lines.error());
+    options.sender.window = settings.printer.window;
     const auto outcome = stream_job(*link_->transport, *link_->clock, **lines, options, control_);
     journal_.ended(outcome);
     if (!outcome) return fail(outcome.error());

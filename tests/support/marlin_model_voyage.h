@@ -32,10 +32,12 @@ class Voyage {
     MarlinModelOptions printer = {};
     WireFaults down = {};  ///< Host to printer.
     WireFaults up = {};
+    SenderOptions sender = {};
   };
 
   Voyage(const Options& options, std::uint64_t seed)
-      : printer_(options.printer, seed),
+      : sender_(options.sender),
+        printer_(options.printer, seed),
         down_(options.down, seed * 3 + 1),
         up_(options.up, seed * 3 + 2) {}
 

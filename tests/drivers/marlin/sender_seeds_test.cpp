@@ -38,6 +38,8 @@ struct Tally {
   std::uint64_t faults = 0;
   std::uint64_t undetected = 0;
   std::uint64_t ghosts = 0;
+  std::uint64_t behind = 0;
+  std::uint64_t lines = 0;
 };
 
 void check_law(std::uint64_t seed, Tally& tally) {
@@ -87,6 +89,56 @@ TEST_CASE("Whatever happens, the job is executed once and in order, or its begin
   CHECK(tally.ghosts > 0);
   // Giving up is lawful, but not what a sender is for.
   CHECK(tally.finished >= tally.could_finish - tally.could_finish / 1000);
+}
+
+/// With several lines under way, what a board obeys of those behind a damaged one comes before it.
+/// Then the print is not whole, and ends; no more than a window of them.
+void check_window_law(std::uint64_t seed, Tally& tally) {
+  VoyagePlan plan = draw_plan(seed);
+  Rng rng(seed ^ 0x817D0B);
+  plan.options.sender.window = 40 + static_cast<int>(rng.below(81));
+  plan.options.sender.proving = static_cast<int>(rng.below(10));
+  plan.options.down.damage /= 4;
+  plan.options.up.damage /= 4;
+  PlannedVoyage sailed(plan, seed);
+  const SenderState end = sailed.run();
+  const auto executed = without_repeats(sailed.executed());
+  const bool cancelled = !sailed.can_finish() && plan.mishap.kind == Mishap::Kind::kCancel;
+  INFO("replay with SLIPSTICK_SEED=" << seed << ": state " << static_cast<int>(end) << ", "
+                                     << sailed.voyage().sender().reason() << "; " << executed.size()
+                                     << " of " << plan.job.size());
+  const auto [wrong, planned] = std::ranges::mismatch(executed, plan.job);
+  INFO("executed '" << (wrong == executed.end() ? "" : *wrong) << "' for '"
+                    << (planned == plan.job.end() ? "" : *planned) << "'");
+
+  if (end == SenderState::kDone) {
+    REQUIRE(is_prefix(executed, plan.job));
+    if (!cancelled) REQUIRE(executed.size() == plan.job.size());
+  } else {
+    REQUIRE((end == SenderState::kLost || end == SenderState::kHalted));
+    REQUIRE_FALSE(sailed.voyage().sender().reason().empty());
+    REQUIRE(executed.end() - wrong <= Sender::kWindowLines);
+  }
+  tally.could_finish += sailed.can_finish() ? 1U : 0U;
+  tally.finished += sailed.can_finish() && end == SenderState::kDone ? 1U : 0U;
+  tally.behind += sailed.voyage().sender().counters().lines_behind;
+  tally.lines += sailed.voyage().sender().counters().lines_sent;
+  tally.faults += sailed.voyage().faults();
+  tally.ghosts += sailed.voyage().sender().counters().ghosts;
+}
+
+TEST_CASE("With a window too a print that is done is whole, and one that is not says so") {
+  Tally tally;
+  if (const auto seed = number_in("SLIPSTICK_SEED")) return check_window_law(*seed, tally);
+  const std::uint64_t seeds = number_in("SLIPSTICK_SEEDS").value_or(kSeeds);
+
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) check_window_law(seed, tally);
+
+  CHECK(tally.faults > seeds);
+  CHECK(tally.could_finish > seeds / 2);
+  CHECK(tally.ghosts > 0);
+  CHECK(tally.finished >= tally.could_finish - tally.could_finish / 50);
+  CHECK(tally.behind > tally.lines / 4);
 }
 
 }  // namespace
