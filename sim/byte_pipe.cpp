@@ -41,7 +41,8 @@ void BytePipe::push(std::string_view bytes, Moment at) {
 std::optional<Moment> BytePipe::next_at() const {
   if (bursts_.empty()) return std::nullopt;
   const Burst& burst = bursts_.front();
-  return rounded_up(burst.start_ns + duration_ns(burst.taken + 1));
+  const Moment there = rounded_up(burst.start_ns + duration_ns(burst.taken + 1));
+  return tick_ > Moment(0) ? (there + tick_ - Moment(1)) / tick_ * tick_ : there;
 }
 
 Moment BytePipe::idle_at() const {
@@ -64,6 +65,7 @@ void BytePipe::clear() {
 }
 
 std::size_t BytePipe::take(std::span<char> buffer, Moment by) {
+  if (tick_ > Moment(0)) by = by / tick_ * tick_;
   std::size_t count = 0;
   while (!bursts_.empty() && count < buffer.size()) {
     Burst& burst = bursts_.front();

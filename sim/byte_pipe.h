@@ -14,12 +14,16 @@ namespace slipstick {
 
 /// One direction of the wire: bytes go in at a moment and come out when they have been transmitted.
 ///
-/// A byte takes ten bits (8N1). A baud rate of 0 is native USB: everything arrives at once.
+/// A byte takes ten bits (8N1). A baud rate of 0 is native USB: everything arrives at once. With a
+/// tick, as the latency timers of USB adapters have it, what has arrived is there at the next
+/// multiple of it.
 class BytePipe {
  public:
   static constexpr int kBitsPerByte = 10;
 
-  BytePipe(int baud, FaultPlan faults) : baud_(baud), faults_(std::move(faults)) {}
+  /// \pre `tick` >= 0.
+  BytePipe(int baud, FaultPlan faults, Moment tick = Moment(0))
+      : baud_(baud), faults_(std::move(faults)), tick_(tick) {}
 
   /// Sends `bytes` behind all that is still under way. \pre `at` never goes back.
   void push(std::string_view bytes, Moment at);
@@ -56,6 +60,7 @@ class BytePipe {
 
   int baud_;
   FaultPlan faults_;
+  Moment tick_;
   std::string bytes_;  ///< From `head_` on: not yet taken.
   std::size_t head_ = 0;
   std::deque<Burst> bursts_;

@@ -18,7 +18,8 @@ Printer::Printer(const PrinterOptions& options, const Planner::Sink& sink)
       personality_(options.personality),
       firmware_(std::make_unique<Firmware>(*machine_, personality_, Moment(0))),
       to_board_(options.baud, FaultPlan(options.corrupt, options.seed)),
-      to_host_(options.baud, FaultPlan(options.corrupt, options.seed ^ kOtherDirection)),
+      to_host_(options.baud, FaultPlan(options.corrupt, options.seed ^ kOtherDirection),
+               options.latency),
       faults_(options.faults, options.seed) {}
 
 void Printer::receive(std::string_view bytes, Moment at) {

@@ -18,6 +18,7 @@ namespace slipstick {
 
 struct PrinterOptions {
   int baud = 0;            ///< 0 is native USB: no pacing, and the board lets the host wait.
+  Moment latency{0};       ///< Tick of the adapter's timer: when the host is given what arrived.
   double corrupt = 0;      ///< Share of bytes damaged, each way.
   std::uint64_t seed = 1;  ///< Of all chance.
   MachineOptions machine = {};

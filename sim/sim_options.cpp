@@ -80,6 +80,14 @@ Taken take_kinematics(SimOptions& options, const std::string& value) {
   return {};
 }
 
+Taken take_latency(SimOptions& options, const std::string& value) {
+  constexpr double kMost = 255;  // of an FTDI adapter
+  const auto ms = number_in(value, 0, kMost);
+  if (!ms) return "give the ms of an adapter's latency timer, 0 to 255; 16 is usual";
+  options.printer.latency = Moment(static_cast<Moment::rep>(*ms * 1000));
+  return {};
+}
+
 Taken take_noise(SimOptions& options, const std::string& value) {
   constexpr double kMost = 20;
   const auto celsius = number_in(value, 0, kMost);
@@ -123,6 +131,7 @@ constexpr std::array kOptions = std::to_array<Option>({{"baud", take_baud},
                                                        {"firmware", take_firmware},
                                                        {"jerk", take_jerk},
                                                        {"kinematics", take_kinematics},
+                                                       {"latency", take_latency},
                                                        {"noise", take_noise},
                                                        {"realtime", take_realtime},
                                                        {"seed", take_seed},

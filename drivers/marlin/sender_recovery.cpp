@@ -20,7 +20,7 @@ constexpr Moment kMaxDrain = std::chrono::seconds(1);
 }  // namespace
 
 void Sender::start_drain(Moment now) {
-  drain_ = Drain{.began = now, .requested = {}, .last_line = {}, .several = several_};
+  drain_ = Drain{.began = now, .requested = {}, .last_line = {}, .several = several_ || unproven_};
 }
 
 Moment Sender::drain_end() const {

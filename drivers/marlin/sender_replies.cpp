@@ -49,11 +49,10 @@ void Sender::acknowledge(LineNumber number, Moment now) {
   outstanding_ = several_ ? std::optional(number + 1) : std::nullopt;
   if (several_) deadline_ = now + patience_;
   proven_ = odd_text_ ? 0 : proven_ + 1;
-  if (is_command(lines_.at(number).text, "M105")) unproven_ = false;
   if (odd_text_) {
     // Perhaps this ok answers what noise made of the line; the next line will tell.
     last_clean_ = -2;
-  } else if (several) {
+  } else if (several || unproven_) {
     prove(number);
   } else {
     if (last_clean_ == number - 1 && number - 1 > sure_) trust(number - 1);

@@ -41,9 +41,10 @@ bool Sender::has_room_behind() const {
   return bytes <= static_cast<std::size_t>(options_.window);
 }
 
-/// While the window is open, now and then; and before it is believed to be empty.
+/// While moves follow each other, now and then; and before what has to wait until they are done.
 bool Sender::wants_proof() const {
-  return several_ ? lines_.highest() - proof_ >= kProofEvery : unproven_;
+  if (!unproven_) return false;
+  return lines_.highest() - proof_ >= kProofEvery || !is_plain_move(queued_->text());
 }
 
 /// Mere oks come in turn; one with temperatures is the answer to an M105, and all before it were
@@ -61,7 +62,9 @@ std::optional<LineNumber> Sender::answered(const Ok& ok) const {
 
 void Sender::prove(LineNumber number) {
   last_clean_ = -2;
-  if (number == proof_ && number > sure_) trust(number);
+  if (!is_command(lines_.at(number).text, "M105")) return;
+  unproven_ = several_;
+  if (number > sure_) trust(number);
 }
 
 LineNumber Sender::first_move_from(LineNumber number) const {

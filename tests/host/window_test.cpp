@@ -64,8 +64,8 @@ class Counted final : public Transport {
   Moment last_{};
 };
 
-double wire_share(int baud, int window) {
-  SimTransport sim(*sim_options({{"baud", std::to_string(baud)}}));
+double wire_share(int baud, int window, const char* latency = "0") {
+  SimTransport sim(*sim_options({{"baud", std::to_string(baud)}, {"latency", latency}}));
   Counted counted(sim);
   test::ProgramLines lines(dust(4000));
   StreamOptions options{Pace::kVirtual};
@@ -89,6 +89,14 @@ TEST_CASE("A window keeps a slow wire full") {
     CHECK(several >= 0.95);
     CHECK(one < several);
   }
+}
+
+TEST_CASE("Behind an adapter with a slow timer a window sends more than twice as much") {
+  // Of an answer each 16 ms one line at a time makes a line each 16 ms, 3 ms of the wire.
+  const double one = wire_share(115200, 0, "16");
+  const double several = wire_share(115200, 120, "16");
+  CHECK(one == Approx(0.19).margin(0.03));
+  CHECK(several > 2.5 * one);
 }
 
 TEST_CASE("A print through a window lays the same beads") {

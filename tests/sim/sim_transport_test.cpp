@@ -33,6 +33,7 @@ TEST_CASE("The options of an address are read") {
                                     {"firmware", "marlin-2.1.2"},
                                     {"kinematics", "delta"},
                                     {"jerk", "classic"},
+                                    {"latency", "16"},
                                     {"with", "linear-advance"}});
 
   REQUIRE(options);
@@ -45,6 +46,7 @@ TEST_CASE("The options of an address are read") {
   CHECK(options->printer.corrupt == 0.002);
   CHECK(options->printer.baud == 250000);
   CHECK(options->realtime);
+  CHECK(options->printer.latency == Moment(16'000));
 }
 
 TEST_CASE("An unknown option or value is refused with what there is") {
@@ -57,6 +59,7 @@ TEST_CASE("An unknown option or value is refused with what there is") {
                                                                       {"firmware", "marlin"},
                                                                       {"kinematics", "scara"},
                                                                       {"jerk", "10"},
+                                                                      {"latency", "300"},
                                                                       {"fault", "bad-luck"},
                                                                       {"with", "wings"}}) {
     const auto options = sim_options({{name, value}});

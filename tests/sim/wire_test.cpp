@@ -51,6 +51,23 @@ TEST_CASE("At every moment that is announced a byte is there, at any rate") {
   }
 }
 
+TEST_CASE("Behind an adapter bytes are there when its timer ticks") {
+  BytePipe pipe(100'000, FaultPlan(0, 1), Moment(16'000));
+  pipe.push("abc", Moment(1'000));
+  CHECK(pipe.next_at() == Moment(16'000));
+  CHECK(take_all(pipe, Moment(15'999)).empty());
+  CHECK(take_all(pipe, Moment(16'000)) == "abc");
+
+  pipe.push("de", Moment(31'850));  // d is through at 31,950 and e at 32,050
+  CHECK(pipe.next_at() == Moment(32'000));
+  CHECK(take_all(pipe, Moment(40'000)) == "d");
+  CHECK(pipe.next_at() == Moment(48'000));
+  CHECK(take_all(pipe, Moment(48'000)) == "e");
+
+  for (int i = 0; i < 500; ++i) pipe.push("x", Moment(60'000 + 777 * i));
+  while (const auto at = pipe.next_at()) REQUIRE_FALSE(take_all(pipe, *at).empty());
+}
+
 TEST_CASE("Native USB has no pace") {
   BytePipe pipe(0, FaultPlan(0, 1));
 
