@@ -89,6 +89,8 @@ Result<std::unique_ptr<Transport>> open_serial(const std::string& path, int baud
   int handle = -1;
   done = ::sp_get_port_handle(port.get(), &handle);
   if (done != SP_OK) return refused(path, done, "get its descriptor");
+  // libserialport 0.1.1 leaves the port open for the programs that this one starts.
+  if (::fcntl(handle, F_SETFD, FD_CLOEXEC) < 0) return refused(path, SP_ERR_FAIL, "keep it");
   UniqueFd fd(::fcntl(handle, F_DUPFD_CLOEXEC, 0));
   if (fd.get() < 0) return refused(path, SP_ERR_FAIL, "share its descriptor");
   auto bytes = FdTransport::adopt(std::move(fd), path);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/number_text.h"
+#include "drivers/marlin/job_rules.h"
 
 namespace slipstick {
 namespace {
@@ -83,7 +84,7 @@ std::string with_rounded_numbers(std::string_view text) {
 /// Says the same in fewer bytes, as far as that is possible.
 std::string shortened(std::string_view text) {
   if (text.front() == 'G') return with_rounded_numbers(text);
-  if (!is_command(text, "M117") && !is_command(text, "M118")) return std::string(text);
+  if (!is_message(text)) return std::string(text);
   text = text.substr(0, Line::kMaxText);
   while (text.ends_with(' ')) text.remove_suffix(1);
   return std::string(text);
@@ -113,10 +114,15 @@ Result<Line> Line::make(std::string_view text) {
 }
 
 Result<std::optional<Line>> normalise(std::string_view raw) {
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+  if (raw.starts_with(kByteOrderMark)) raw.remove_prefix(kByteOrderMark.size());
   const std::string clean = with_single_blanks(without_comments(raw));
   const std::string_view text = without_framing(clean);
   if (text.empty()) return std::optional<Line>();
-  const std::string kept = text.size() > Line::kMaxText ? shortened(text) : std::string(text);
+  if (const auto why = unfit_for_job(text); !why.empty()) return refused(text, why);
+  if (text.front() == '@') return std::optional<Line>();  // words to some host
+  std::string kept = is_message(text) ? sendable_message(text) : std::string(text);
+  if (kept.size() > Line::kMaxText) kept = shortened(kept);
   return Line::make(kept).map([](Line&& line) { return std::optional<Line>(std::move(line)); });
 }
 

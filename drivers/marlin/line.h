@@ -38,8 +38,10 @@ class Line {
 /// A line of a G-code file as a `Line`: comments (`;` to the end, `(…)`), line numbers and
 /// checksums of the file are dropped, runs of blanks become one. Nothing when nothing is left.
 /// Numbers stay as they are, unless the line is too long: then those of a G command get five
-/// decimals, and a message (M117, M118) loses its end. Fails (kInput) when what is left is no
-/// `Line`.
+/// decimals, and a message loses its end. A message (M117, M118, M0, M1, M486) loses the bytes that
+/// cannot be sent as well; so does the file its byte order mark, and words to other hosts ("@…")
+/// are comments. Fails (kInput) when what is left is no `Line`, or has no place in a job
+/// (job_rules.h).
 [[nodiscard]] Result<std::optional<Line>> normalise(std::string_view raw);
 
 /// Whether `text` is the command `code`, as "M105" or "G28", with or without parameters.

@@ -7,13 +7,21 @@
 namespace slipstick {
 namespace {
 
-/// Texts after which Marlin 1.0 to 2.1 says nothing more until it is reset (temperature.cpp,
-/// MarlinCore.cpp).
-constexpr std::array<std::string_view, 9> kFatalTexts{
-    "kill()",          "system stopped!",     "Printer halted",
-    "Thermal Runaway", "MAXTEMP triggered",   "MINTEMP triggered",
-    "Heating failed",  "Thermal Malfunction", "!! KILL caused",
+/// Texts after which Marlin 1.0 to 2.1 says nothing more until it is reset, or goes on
+/// acknowledging moves and makes none (temperature.cpp, MarlinCore.cpp, language.h).
+constexpr std::array<std::string_view, 13> kFatalTexts{
+    "kill()",           "system stopped!",     "Printer halted",
+    "Thermal Runaway",  "MAXTEMP triggered",   "MINTEMP triggered",
+    "Heating failed",   "Thermal Malfunction", "!! KILL caused",
+    "!! STOP called",   "Printer stopped",     "Heater switched off",
+    "Watchdog timeout",
 };
+
+constexpr std::string_view kFirmwareName = "FIRMWARE_NAME:";
+
+/// What Marlin says of its reset, behind `start`; the first blank of some is not there any more.
+constexpr std::array<std::string_view, 5> kResetCauses{
+    "PowerUp", "External Reset", "Brown out Reset", "Watchdog Reset", "Software Reset"};
 
 char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -69,11 +77,36 @@ bool is_ok(std::string_view text) {
   return text == "ok" || text.starts_with("ok ") || text.starts_with("ok\t");
 }
 
+bool is_fatal(std::string_view text) {
+  return std::ranges::any_of(kFatalTexts, [&](auto fatal) { return contains(text, fatal); });
+}
+
 Reply parse_error(std::string_view text) {
   const std::string said(trimmed(text));
-  const auto names = [&](std::string_view fatal) { return contains(said, fatal); };
-  if (std::ranges::any_of(kFatalTexts, names)) return Fatal{said};
+  if (is_fatal(said)) return Fatal{said};
   return ErrorText{said};
+}
+
+/// "Marlin 2.1.2", with or without `echo:`.
+bool is_version(std::string_view text) {
+  constexpr std::string_view kName = "Marlin ";
+  return text.size() > kName.size() && text.starts_with(kName) && text[kName.size()] >= '0' &&
+         text[kName.size()] <= '9';
+}
+
+/// A line of the banner.
+std::optional<Start> parse_start(std::string_view text) {
+  if (text == "start" || is_version(text)) return Start{};
+  if (text.starts_with("echo:") && is_version(text.substr(5))) return Start{};
+  if (std::ranges::find(kResetCauses, text) == kResetCauses.end()) return std::nullopt;
+  return Start{std::string(text)};
+}
+
+/// Whether it is said without `Error:`: the second line of what Marlin 1.0 says of a heater, what
+/// Marlin 2 says of each move once it has stopped, and Repetier's prefix.
+bool is_fatal_alone(std::string_view text) {
+  if (text.starts_with("!!") || text.starts_with("fatal:")) return true;
+  return (text.starts_with(": ") || text.starts_with("Printer stopped")) && is_fatal(text);
 }
 
 Reply parse_echo(std::string_view text) {
@@ -84,7 +117,7 @@ Reply parse_echo(std::string_view text) {
 }
 
 Reply parse_firmware(std::string_view text) {
-  std::string_view name = text.substr(std::string_view("FIRMWARE_NAME:").size());
+  std::string_view name = text.substr(text.find(kFirmwareName) + kFirmwareName.size());
   name = name.substr(0, name.find(" SOURCE_CODE_URL:"));
   return FirmwareName{std::string(trimmed(name))};
 }
@@ -107,6 +140,10 @@ Reply parse_comment(std::string_view text) {
 
 Reply parse_reply(std::string_view line) {
   const std::string_view text = trimmed(line);
+  // Klipper puts it behind its ok.
+  const bool names =
+      text.starts_with(kFirmwareName) || (is_ok(text) && contains(text, kFirmwareName));
+  if (names) return parse_firmware(text);
   if (is_ok(text)) return parse_ok(text);
   if (starts_with_any_case(text, "resend"))
     return Resend{leading_number<LineNumber>(text.substr(6))};
@@ -116,13 +153,12 @@ Reply parse_reply(std::string_view line) {
     return LineError{number_behind<LineNumber>(text, "Last Line:"), std::string(text)};
   }
   if (starts_with_any_case(text, "error:")) return parse_error(text.substr(6));
-  if (text.starts_with("!!")) return Fatal{std::string(text)};
+  if (is_fatal_alone(text)) return Fatal{std::string(text)};
+  if (auto start = parse_start(text)) return *std::move(start);
   if (text.starts_with("echo:")) return parse_echo(text.substr(5));
   if (text.starts_with("busy:")) return parse_echo(text);
   if (text.starts_with("//")) return parse_comment(text);
-  if (text.starts_with("FIRMWARE_NAME:")) return parse_firmware(text);
   if (text.starts_with("Cap:")) return parse_capability(text);
-  if (text == "start") return Start{};
   if (text == "wait") return Wait{};
   if (const auto position = parse_position(text)) return PositionReport{*position};
   if (auto temperatures = parse_temperatures(text)) return *std::move(temperatures);

@@ -93,8 +93,9 @@ struct Capability {
   friend bool operator==(const Capability&, const Capability&) = default;
 };
 
-/// `start`: the board has just been reset.
+/// The board has just been reset: `start`, or a later line of the banner, which may tell why.
 struct Start {
+  std::string cause;  ///< "Brown out Reset", "PowerUp"; empty where the line tells none.
   friend bool operator==(const Start&, const Start&) = default;
 };
 

@@ -204,6 +204,8 @@ class Sender {
 
   void on_odd_request(std::optional<LineNumber> number, Moment now);
   void on_silence(Moment now);
+  /// A blocking command may be running still: what was taken for its `ok` is not proved to be that.
+  [[nodiscard]] bool may_be_blocked() const;
   void ask_for_truth(Moment now);
   void probe(Moment now);
 
@@ -252,6 +254,7 @@ class Sender {
   Moment last_heeded_{};  ///< Something was acknowledged, or takes its time.
   std::optional<Drain> drain_;
   std::optional<Doubt> doubt_;
+  std::string busy_with_;           ///< By its last word.
   int position_requests_ = 0;       ///< In a row, before two reports agree.
   std::optional<Position> learnt_;  ///< The last report.
   int loose_ends_ = 0;  ///< What came since the last line but probes, that may have been an `ok`.

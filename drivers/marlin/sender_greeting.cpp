@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "drivers/marlin/line_counting.h"
 #include "drivers/marlin/sender.h"
 
 // The greeting: listen for the banner, number the lines, ask for the name, arm the reports.
@@ -80,7 +81,8 @@ bool Sender::bind_greeting(Moment now) {
   return true;
 }
 
-void Sender::on(const Start& /*start*/, Moment now) {
+void Sender::on(const Start& start, Moment now) {
+  if (over() && !start.cause.empty()) tell(MessageSeen{"the board started anew: " + start.cause});
   if (!greeting_) {
     return give_up(SenderState::kLost,
                    "the printer was reset during the job: its position is lost; clear the bed and "
@@ -96,6 +98,10 @@ void Sender::on(const FirmwareName& firmware, Moment /*now*/) {
   if (firmware.name == firmware_) return;
   firmware_ = firmware.name;
   tell(FirmwareSeen{firmware_});
+  if (!greeting_ || counts_lines(firmware_)) return;
+  give_up(
+      SenderState::kLost,
+      firmware_ + " does not count lines: what is lost on the way would be missing from the part");
 }
 
 void Sender::on(const Capability& capability, Moment /*now*/) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "drivers/marlin/patience.h"
 #include "drivers/marlin/sender.h"
 
 // Finding out where the printer stands. Two rules carry it: a number never means another line, so
@@ -16,6 +17,8 @@ namespace {
 /// Several round trips at 115200 baud, and the interval of a USB adapter's latency timer.
 constexpr Moment kQuiet = std::chrono::milliseconds(60);
 constexpr Moment kMaxDrain = std::chrono::seconds(1);
+/// With this probe a silence is told: 42 s after a line that is quick.
+constexpr int kAlarmProbes = 3;
 
 }  // namespace
 
@@ -87,12 +90,14 @@ void Sender::on_odd_request(std::optional<LineNumber> number, Moment now) {
 void Sender::on_silence(Moment now) {
   if (greeting_) return greet_again(now);
   if (probes_ < kMaxProbes) {
-    ++probes_;
+    if (++probes_ == kAlarmProbes) {
+      tell(MessageSeen{"the printer does not answer; its heaters may be on"});
+    }
     ++counters_.probes;
     probe(now);
     deadline_ = now + patience_ * (1 << probes_);
     tell(ProbeSent{*outstanding_});
-  } else if (now - last_heard_ >= kAliveWindow) {
+  } else if (now - last_heard_ >= kAliveWindow && !may_be_blocked()) {
     give_up(SenderState::kLost, fmt::format("the printer has not answered since line {}; check the "
                                             "cable and the power",
                                             accepted_));
@@ -103,6 +108,13 @@ void Sender::on_silence(Moment now) {
   } else {
     deadline_ = now + kAliveWindow;
   }
+}
+
+bool Sender::may_be_blocked() const {
+  for (LineNumber number = std::max(sure_, first_ - 1) + 1; number <= accepted_; ++number) {
+    if (lines_.has(number) && is_blocking(lines_.at(number).text)) return true;
+  }
+  return false;
 }
 
 void Sender::ask_for_truth(Moment now) {

@@ -33,6 +33,7 @@ void Sender::on(const Ok& ok, Moment now) {
     const bool doubtful = odd_text_ && !greeting_ && ok.bare;
     return doubtful ? ask_for_truth(now) : acknowledge(*number, now);
   }
+  if (over()) printer_stopped_ = false;  // whatever it said
   if (over() || listening_until_) return;
   if (!drain_) ++counters_.surplus_oks;
   if (!drain_) ++loose_ends_;
@@ -44,6 +45,7 @@ void Sender::acknowledge(LineNumber number, Moment now) {
   if (number == first_ && odd_text_) return greet_again(now);
   accepted_ = number;
   last_heeded_ = now;
+  busy_with_.clear();
   counters_.lines_acknowledged = lines_.at(number).job_lines;
   const bool several = std::exchange(several_, several_ && number + 1 < cursor_);
   outstanding_ = several_ ? std::optional(number + 1) : std::nullopt;
@@ -92,8 +94,12 @@ void Sender::on(const ErrorText& error, Moment /*now*/) {
   tell(MessageSeen{error.text});
 }
 
-void Sender::on(const Busy& /*busy*/, Moment now) {
+void Sender::on(const Busy& busy, Moment now) {
   stay_patient(now);
+  // Once: it comes every two seconds. At work is what a printer is expected to be.
+  if (busy.reason == busy_with_) return;
+  busy_with_ = busy.reason;
+  if (busy.reason != "processing") tell(MessageSeen{"busy: " + busy.reason});
 }
 
 void Sender::on(const UnknownCommand& command, Moment /*now*/) {

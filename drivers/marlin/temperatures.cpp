@@ -69,6 +69,8 @@ std::optional<Temperatures> parse_temperatures(std::string_view text) {
       store(report, word.substr(0, colon), *heater);
     }
   }
+  // Klipper names the only tool there is.
+  if (!report.hotend && report.tools.size() == 1) report.hotend = report.tools.front();
   return report;
 }
 
