@@ -35,6 +35,10 @@ bool Interrupt::pause() {
   return paused != 0;
 }
 
+void Interrupt::forget_pause() {
+  paused = 0;
+}
+
 bool Interrupt::requested() {
   return interrupts > 0;
 }

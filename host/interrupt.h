@@ -19,6 +19,9 @@ class Interrupt {
   /// Whether a pause is asked for.
   [[nodiscard]] static bool pause();
 
+  /// The pause is over, whoever ended it.
+  static void forget_pause();
+
   /// Whether two came: what moves or heats is to stop at once.
   [[nodiscard]] static bool urgent();
 };

@@ -19,12 +19,13 @@ ParkingPlace parking_place(const PrintSettings& settings) {
           .lift_speed = printer.z_speed_max};
 }
 
-bool Pause::heed(PrintControl::Wish wish) {
+bool Pause::heed(PrintControl::Wish wish, Manner manner) {
   const bool hold = wish == PrintControl::Wish::kPause;
   // One way at a time: who has not arrived does not turn back.
   if (hold == held_ || !lines_.empty()) return false;
   held_ = hold;
-  if (!place_) return true;
+  if (hold) parked_ = place_ && manner == Manner::kPark;
+  if (!parked_) return true;
   const auto lines =
       hold ? parking_lines(tracker_.state(), *place_) : returning_lines(tracker_.state(), *place_);
   lines_.assign(lines.begin(), lines.end());

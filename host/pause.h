@@ -18,6 +18,9 @@ namespace slipstick {
 /// goes on. Pure: wishes and lines in, lines out.
 class Pause {
  public:
+  /// kStay: the printer has parked by itself, or waits to be let; whatever it is sent would block.
+  enum class Manner : std::uint8_t { kPark, kStay };
+
   /// Without a place to park, the nozzle stays where it is.
   /// \param state what was sent before the job; \param first what is sent before its first line.
   Pause(const std::optional<ParkingPlace>& place, PrintStateTracker state,
@@ -25,7 +28,7 @@ class Pause {
       : place_(place), tracker_(std::move(state)), lines_(first.begin(), first.end()) {}
 
   /// What is wished now. \return whether the print begins to be held, or begins to go on.
-  bool heed(PrintControl::Wish wish);
+  bool heed(PrintControl::Wish wish, Manner manner = Manner::kPark);
 
   /// `line` of the job is sent. \pre !holds().
   void follow(const Line& line) { tracker_.follow(line.text()); }
@@ -42,6 +45,7 @@ class Pause {
   PrintStateTracker tracker_;
   std::deque<Line> lines_;
   bool held_ = false;
+  bool parked_ = false;
 };
 
 }  // namespace slipstick

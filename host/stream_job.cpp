@@ -7,11 +7,13 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "host/interrupt.h"
 #include "host/last_words.h"
 #include "host/output_queue.h"
 #include "host/pause.h"
+#include "host/printer_words.h"
 
 namespace slipstick {
 namespace {
@@ -27,12 +29,13 @@ constexpr milliseconds kHungryWait{5};        // how often to look for a line th
 constexpr milliseconds kPausedNap{20};  // in virtual time, which would fly while nothing is sent
 constexpr seconds kStopPatience{30};    // for the safe end after a failure
 constexpr milliseconds kDtrPulse{100};
+constexpr milliseconds kHearOut{300};  // after the printer's last words
 constexpr const char* kMaybeHot = "; the printer's heaters may still be on";
 
 class Stream {
  public:
   Stream(Transport& transport, const Clock& clock, LineSource& source, const StreamOptions& options,
-         const PrintControl& control)
+         PrintControl& control)
       : transport_(transport),
         clock_(clock),
         source_(source),
@@ -58,6 +61,8 @@ class Stream {
     }
     if (failure_) return failed("heaters are off");
     outcome_.counters = sender_.counters();
+    outcome_.not_done = words_.not_done();
+    outcome_.unknown_commands = words_.unknown();
     outcome_.seconds = std::chrono::duration<double>(clock_.now() - began_).count();
     return outcome_;
   }
@@ -71,15 +76,21 @@ class Stream {
       give_up({ErrorCode::kCancelled, "cancelled"});
     }
     if (Interrupt::requested()) give_up({ErrorCode::kCancelled, "interrupted"});
-    if (!ended_ && pause_.heed(wish)) {
+    const auto manner = printer_holds_ ? Pause::Manner::kStay : Pause::Manner::kPark;
+    if (!ended_ && pause_.heed(wish, manner)) {
       spdlog::warn("{}", pause_.wanted() ? "pausing" : "going on");
     }
   }
 
-  [[nodiscard]] PrintControl::Wish wished() const {
+  [[nodiscard]] PrintControl::Wish wished() {
+    // Whoever presses Ctrl-Z in a pause that others have asked for wants it to end.
+    const bool pressed = std::exchange(held_by_terminal_, Interrupt::pause()) != Interrupt::pause();
+    if (pressed && control_.resume()) Interrupt::forget_pause();
+    held_by_terminal_ = Interrupt::pause();
     const PrintControl::Wish wish = control_.wish();
-    const bool held = wish == PrintControl::Wish::kRun && Interrupt::pause();
-    return held ? PrintControl::Wish::kPause : wish;
+    if (wish == PrintControl::Wish::kRun && held_by_terminal_) return PrintControl::Wish::kPause;
+    if (wish != PrintControl::Wish::kPause) printer_holds_ = false;
+    return wish;
   }
 
   // Before everything that waits: what has not left this machine is forgotten.
@@ -148,12 +159,21 @@ class Stream {
       heed_requests();
       if (!write() || !read()) break;
     }
+    if (killed_) hear_out();
     if (killed_ && !sender_.printer_stopped()) {
       reset_board();
       failure_->message = "the printer did not confirm the emergency stop: switch it off";
     }
     if (killed_) return fail(*failure_);
     return failed(sender_.printer_stopped() ? sender_.reason() : sender_.reason() + kMaybeHot);
+  }
+
+  // A board that says it was stopped and goes on is not stopped.
+  void hear_out() {
+    const Moment until = clock_.now() + kHearOut;
+    while (clock_.now() < until && sender_.printer_stopped()) {
+      if (!read()) return;
+    }
   }
 
   // Why the print ends early, and how that left the printer: never said before it is known.
@@ -175,6 +195,21 @@ class Stream {
     if (error.code == ErrorCode::kTimedOut) reset_board();
     if (!failure_) return fail(error.code, error.message + kMaybeHot);
     return failed(error.message + kMaybeHot);
+  }
+
+  void heed(const PrinterWords::Heard& heard) {
+    using enum PrinterWords::Wish;
+    if (ended_ || heard.wish == kNone) return;
+    const bool alone = heard.wish == kWait && pace_ == Pace::kVirtual;
+    if (heard.wish == kEnd || alone) return give_up({ErrorCode::kPrinter, heard.reason});
+    if (heard.wish == kCancel) return give_up({ErrorCode::kCancelled, "cancelled at the printer"});
+    if (heard.wish == kGoOn) {
+      if (control_.resume()) Interrupt::forget_pause();
+      return;
+    }
+    if (!control_.pause()) return;
+    printer_holds_ = heard.wish == kHold;
+    if (heard.wish == kWait) spdlog::warn("{}; pausing", heard.reason);
   }
 
   Result<void> write() {
@@ -209,21 +244,29 @@ class Stream {
     for (const SenderEvent& event : sender_.take_events()) {
       control_.tell(event);
       if (listeners_.on_event) listeners_.on_event(event);
+      heed(words_.hear(event));
       if (const auto* firmware = std::get_if<FirmwareSeen>(&event)) {
         outcome_.firmware = firmware->name;
       } else if (const auto* message = std::get_if<MessageSeen>(&event)) {
-        spdlog::info("printer: {}", message->text);
+        tell_user(message->text);
       } else if (const auto* resend = std::get_if<ResendSeen>(&event)) {
         spdlog::debug("printer asks for line {} again", resend->line);
       }
     }
   }
 
+  // A complaint about every move is one message.
+  void tell_user(const std::string& message) {
+    const bool again = message == last_message_;
+    spdlog::log(again ? spdlog::level::debug : spdlog::level::info, "printer: {}", message);
+    last_message_ = message;
+  }
+
   Transport& transport_;
   const Clock& clock_;
   LineSource& source_;
   const Pace pace_;
-  const PrintControl& control_;
+  PrintControl& control_;
   const PrintControl::Listeners listeners_;
   OutputQueue output_;
   Pause pause_;
@@ -232,6 +275,10 @@ class Stream {
   StreamOutcome outcome_;
   std::optional<Error> failure_;
   std::optional<Moment> stop_deadline_;
+  PrinterWords words_;
+  std::string last_message_;
+  bool printer_holds_ = false;  ///< It has parked by itself and is to be left alone.
+  bool held_by_terminal_ = false;
   bool ended_ = false;
   bool killed_ = false;
   bool hungry_ = false;
@@ -242,11 +289,12 @@ class Stream {
 
 Result<StreamOutcome> stream_job(Transport& transport, const Clock& clock, LineSource& source,
                                  const StreamOptions& options) {
-  return stream_job(transport, clock, source, options, PrintControl());
+  PrintControl nobody;
+  return stream_job(transport, clock, source, options, nobody);
 }
 
 Result<StreamOutcome> stream_job(Transport& transport, const Clock& clock, LineSource& source,
-                                 const StreamOptions& options, const PrintControl& control) {
+                                 const StreamOptions& options, PrintControl& control) {
   const LastWords last_words(transport.descriptor(), options.journal);
   return Stream(transport, clock, source, options, control).run();
 }

@@ -33,11 +33,18 @@ struct StreamOutcome {
   SenderCounters counters;
   std::string firmware;
   double starved_seconds = 0;  ///< The printer wanted a line and there was none.
-  double seconds = 0;          ///< By the link's clock.
+  std::uint64_t not_done = 0;  ///< Complaints of lines that were acknowledged and not obeyed,
+  std::uint64_t unknown_commands = 0;  ///< and not known.
+  double seconds = 0;                  ///< By the link's clock.
 };
 
 /// Sends all lines of `source` to the printer behind `transport` and waits until they were
 /// accepted. One thread, one loop: bytes and time into the sender, bytes out.
+///
+/// What the printer itself asks for (`//action:pause`, `paused`, `resume`, `cancel`) is done as if
+/// the control had asked. Where it acknowledges a line and says that it did not do it, the print is
+/// paused, in virtual time, where nobody could look, ended; so it is where a sensor of a heater
+/// that is to be hot cannot be right.
 ///
 /// Whatever ends it early, the heaters are turned off if the printer can still hear it.
 /// \return kCancelled if interrupted, kPrinter if the printer halted or was lost, or what `source`
@@ -47,10 +54,11 @@ struct StreamOutcome {
                                                LineSource& source, const StreamOptions& options);
 
 /// The same, and does what `control` is asked for within 20 ms, in virtual time a quarter of a
-/// second; it pauses also while the terminal asks for it. An emergency stop goes out before all
-/// that has not left this machine; where the printer does not confirm it, DTR resets the board.
+/// second; it pauses also while the terminal asks for it, and Ctrl-Z ends any pause. An emergency
+/// stop goes out before all that has not left this machine; where the printer does not confirm it,
+/// DTR resets the board.
 [[nodiscard]] Result<StreamOutcome> stream_job(Transport& transport, const Clock& clock,
                                                LineSource& source, const StreamOptions& options,
-                                               const PrintControl& control);
+                                               PrintControl& control);
 
 }  // namespace slipstick

@@ -60,7 +60,9 @@ nlohmann::ordered_json printer_report(const StreamOutcome& outcome) {
           {"lines_acknowledged", outcome.counters.lines_acknowledged},
           {"resends", outcome.counters.resends},
           {"reconnects", 0},
-          {"starved_seconds", outcome.starved_seconds}};
+          {"starved_seconds", outcome.starved_seconds},
+          {"not_done", outcome.not_done},
+          {"unknown_commands", outcome.unknown_commands}};
 }
 
 nlohmann::ordered_json sim_report(const SimTransport& sim, PrintWatch& watch) {
@@ -98,6 +100,7 @@ class PrintRun {
 
  private:
   Result<void> print_file(const std::filesystem::path& path) {
+    if (const auto count = FileLines::check(path); !count) return fail(count.error());
     auto lines = FileLines::open(path);
     if (!lines) return fail(lines.error());
     report_["model"] = path.filename().string();
@@ -178,10 +181,13 @@ class PrintRun {
   Result<void> write_report() {
     report_["printer"] = printer_report(outcome_);
     if (!sim_report_.is_null()) report_["sim"] = sim_report_;
-    if (command_.json) std::cout << report_.dump(2) << '\n';
+    // A printer may call itself by bytes that are no text.
+    const std::string report =
+        report_.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    if (command_.json) std::cout << report;
     if (!command_.json) summary();
     if (command_.slicing.report.empty()) return {};
-    return write_file(command_.slicing.report, report_.dump(2) + "\n");
+    return write_file(command_.slicing.report, report);
   }
 
   void summary() const {

@@ -37,16 +37,6 @@ class CountedLines final : public LineSource {
   std::int64_t count_ = 0;
 };
 
-Result<std::int64_t> lines_in(const std::string& path) {
-  const auto lines = FileLines::open(path);
-  if (!lines) return fail(lines.error());
-  for (std::int64_t count = 0;; ++count) {
-    const auto line = (*lines)->next();
-    if (!line) return fail(line.error());
-    if (!*line) return count;
-  }
-}
-
 Json sim_json(const PrintVerdict& verdict) {
   return {{"layers", verdict.layers},
           {"components_wrong", verdict.components_wrong},
@@ -55,7 +45,7 @@ Json sim_json(const PrintVerdict& verdict) {
 
 class TaskRun {
  public:
-  TaskRun(const PrintTask& task, JournalledPrint& journal, const PrintControl& control,
+  TaskRun(const PrintTask& task, JournalledPrint& journal, PrintControl& control,
           const TaskListeners& listeners)
       : task_(task), journal_(journal), control_(control), listeners_(listeners) {}
 
@@ -71,7 +61,7 @@ class TaskRun {
 
  private:
   Result<void> print_file(const PrintSettings& settings) {
-    const auto count = lines_in(task_.path);
+    const auto count = FileLines::check(task_.path);
     if (!count) return fail(count.error().within(task_.name));
     const auto file = FileLines::open(task_.path);
     if (!file) return fail(file.error());
@@ -141,7 +131,7 @@ class TaskRun {
 
   const PrintTask& task_;
   JournalledPrint& journal_;
-  const PrintControl& control_;
+  PrintControl& control_;
   const TaskListeners& listeners_;
   std::optional<PrintWatch> watch_;
   std::optional<PrinterLink> link_;
@@ -150,7 +140,7 @@ class TaskRun {
 
 }  // namespace
 
-Result<std::string> run_print_task(const PrintTask& task, const PrintControl& control,
+Result<std::string> run_print_task(const PrintTask& task, PrintControl& control,
                                    const TaskListeners& listeners) {
   if (task.take_up) {
     auto content = read_journal(task.journal);

@@ -34,7 +34,7 @@ struct TaskListeners {
 /// first line is sent, so that no print ends at a line that no printer could take.
 /// \return kInput if it cannot be taken up, or not without consent, as resume_point. Otherwise what
 /// was printed, as JSON: lines, resends, and of a simulated printer what it laid down.
-[[nodiscard]] Result<std::string> run_print_task(const PrintTask& task, const PrintControl& control,
+[[nodiscard]] Result<std::string> run_print_task(const PrintTask& task, PrintControl& control,
                                                  const TaskListeners& listeners);
 
 }  // namespace slipstick

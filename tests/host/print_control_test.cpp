@@ -226,7 +226,7 @@ TEST_CASE("A wish never takes a more urgent one back") {
 TEST_CASE("A listener hears temperatures and progress") {
   bool temperatures = false;
   std::uint64_t lines = 0;
-  const PrintControl control(
+  PrintControl control(
       {[&](const SenderEvent& e) { temperatures |= std::holds_alternative<TemperaturesSeen>(e); },
        [&](SenderState, const SenderCounters& counters) { lines = counters.lines_acknowledged; }});
   SimTransport sim(*sim_options({}));
