@@ -2,6 +2,8 @@
 //
 // SLIPSTICK_SEEDS=N runs N of them instead of the few that every build can afford; SLIPSTICK_SEED=S
 // runs number S alone, which is what a failure prints.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>
@@ -42,37 +44,55 @@ struct Tally {
   std::uint64_t lines = 0;
 };
 
+/// What happened, for a failure.
+std::string told(std::uint64_t seed, const VoyagePlan& plan, PlannedVoyage& sailed) {
+  const auto executed = without_repeats(sailed.executed());
+  const auto [wrong, planned] = std::ranges::mismatch(executed, plan.job);
+  const Sender& sender = sailed.voyage().sender();
+  return fmt::format(
+      "replay with SLIPSTICK_SEED={}: state {}, {}; mishap {}; {} of {} lines executed, '{}' for "
+      "'{}'",
+      seed, static_cast<int>(sender.state()), sender.reason(), static_cast<int>(plan.mishap.kind),
+      executed.size(), plan.job.size(), wrong == executed.end() ? "" : *wrong,
+      planned == plan.job.end() ? "" : *planned);
+}
+
+bool was_cancelled(const VoyagePlan& plan, const PlannedVoyage& sailed) {
+  return !sailed.can_finish() && plan.mishap.kind == Mishap::Kind::kCancel;
+}
+
+/// A print that is done is whole, and one that is not says why.
+void check_end(const VoyagePlan& plan, PlannedVoyage& sailed, SenderState end) {
+  const auto executed = without_repeats(sailed.executed());
+  const bool whole = was_cancelled(plan, sailed) || executed.size() == plan.job.size();
+  const bool done = end == SenderState::kDone && is_prefix(executed, plan.job) && whole;
+  const bool stopped = end == SenderState::kLost || end == SenderState::kHalted;
+  REQUIRE((done || (stopped && !sailed.voyage().sender().reason().empty())));
+}
+
+void count(PlannedVoyage& sailed, SenderState end, Tally& tally) {
+  Voyage& voyage = sailed.voyage();
+  const SenderCounters& counters = voyage.sender().counters();
+  tally.could_finish += sailed.can_finish() ? 1U : 0U;
+  tally.finished += sailed.can_finish() && end == SenderState::kDone ? 1U : 0U;
+  tally.faults += voyage.faults();
+  tally.ghosts += counters.ghosts;
+  tally.undetected += voyage.printer().undetected();
+  tally.behind += counters.lines_behind;
+  tally.lines += counters.lines_sent;
+}
+
 void check_law(std::uint64_t seed, Tally& tally) {
   const VoyagePlan plan = draw_plan(seed);
   PlannedVoyage sailed(plan, seed);
   const SenderState end = sailed.run();
-  Voyage& voyage = sailed.voyage();
-  const auto executed = without_repeats(sailed.executed());
-  INFO("replay with SLIPSTICK_SEED="
-       << seed << ": state " << static_cast<int>(end) << ", " << voyage.sender().reason()
-       << "; mishap " << static_cast<int>(plan.mishap.kind) << "; " << executed.size() << " of "
-       << plan.job.size() << " lines executed");
-  const auto [wrong, planned] = std::ranges::mismatch(executed, plan.job);
-  INFO("executed '" << (wrong == executed.end() ? "" : *wrong) << "' for '"
-                    << (planned == plan.job.end() ? "" : *planned) << "'");
-  const bool cancelled = !sailed.can_finish() && plan.mishap.kind == Mishap::Kind::kCancel;
-
-  REQUIRE(is_prefix(executed, plan.job));
-  if (end == SenderState::kDone) {
-    if (!cancelled) REQUIRE(executed.size() == plan.job.size());
-  } else {
-    REQUIRE((end == SenderState::kLost || end == SenderState::kHalted));
-    REQUIRE_FALSE(voyage.sender().reason().empty());
-  }
-  const bool stopped = end != SenderState::kDone || cancelled;
-  const bool reachable = !voyage.unplugged() && plan.mishap.kind != Mishap::Kind::kFreeze;
-  if (stopped && reachable) REQUIRE_FALSE(voyage.printer().heats());
-
-  tally.could_finish += sailed.can_finish() ? 1U : 0U;
-  tally.finished += sailed.can_finish() && end == SenderState::kDone ? 1U : 0U;
-  tally.faults += voyage.faults();
-  tally.ghosts += voyage.sender().counters().ghosts;
-  tally.undetected += voyage.printer().undetected();
+  INFO(told(seed, plan, sailed));
+  REQUIRE(is_prefix(without_repeats(sailed.executed()), plan.job));
+  check_end(plan, sailed, end);
+  const bool stopped = end != SenderState::kDone || was_cancelled(plan, sailed);
+  const bool reachable = !sailed.voyage().unplugged() && plan.mishap.kind != Mishap::Kind::kFreeze;
+  if (stopped && reachable) REQUIRE_FALSE(sailed.voyage().printer().heats());
+  count(sailed, end, tally);
 }
 
 TEST_CASE("Whatever happens, the job is executed once and in order, or its beginning and no heat") {
@@ -102,29 +122,12 @@ void check_window_law(std::uint64_t seed, Tally& tally) {
   plan.options.up.damage /= 4;
   PlannedVoyage sailed(plan, seed);
   const SenderState end = sailed.run();
+  INFO(told(seed, plan, sailed));
+  check_end(plan, sailed, end);
   const auto executed = without_repeats(sailed.executed());
-  const bool cancelled = !sailed.can_finish() && plan.mishap.kind == Mishap::Kind::kCancel;
-  INFO("replay with SLIPSTICK_SEED=" << seed << ": state " << static_cast<int>(end) << ", "
-                                     << sailed.voyage().sender().reason() << "; " << executed.size()
-                                     << " of " << plan.job.size());
-  const auto [wrong, planned] = std::ranges::mismatch(executed, plan.job);
-  INFO("executed '" << (wrong == executed.end() ? "" : *wrong) << "' for '"
-                    << (planned == plan.job.end() ? "" : *planned) << "'");
-
-  if (end == SenderState::kDone) {
-    REQUIRE(is_prefix(executed, plan.job));
-    if (!cancelled) REQUIRE(executed.size() == plan.job.size());
-  } else {
-    REQUIRE((end == SenderState::kLost || end == SenderState::kHalted));
-    REQUIRE_FALSE(sailed.voyage().sender().reason().empty());
-    REQUIRE(executed.end() - wrong <= Sender::kWindowLines);
-  }
-  tally.could_finish += sailed.can_finish() ? 1U : 0U;
-  tally.finished += sailed.can_finish() && end == SenderState::kDone ? 1U : 0U;
-  tally.behind += sailed.voyage().sender().counters().lines_behind;
-  tally.lines += sailed.voyage().sender().counters().lines_sent;
-  tally.faults += sailed.voyage().faults();
-  tally.ghosts += sailed.voyage().sender().counters().ghosts;
+  const auto wrong = std::ranges::mismatch(executed, plan.job).in1;
+  REQUIRE(executed.end() - wrong <= Sender::kWindowLines);
+  count(sailed, end, tally);
 }
 
 TEST_CASE("With a window too a print that is done is whole, and one that is not says so") {
