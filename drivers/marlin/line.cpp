@@ -43,13 +43,14 @@ std::string with_single_blanks(std::string_view text) {
   return kept;
 }
 
-/// Drops `N12 ` and `*99`.
+/// Drops `N12 ` and `*99`, however often they are there.
 std::string_view without_framing(std::string_view text) {
-  if (text.size() < 2 || text[0] != 'N' || !is_digit(text[1])) return text;
-  text.remove_prefix(1);
-  while (!text.empty() && (is_digit(text.front()) || text.front() == ' ')) text.remove_prefix(1);
-  text = text.substr(0, text.rfind('*'));
-  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  while (text.size() >= 2 && text[0] == 'N' && is_digit(text[1])) {
+    text.remove_prefix(1);
+    while (!text.empty() && (is_digit(text.front()) || text.front() == ' ')) text.remove_prefix(1);
+    text = text.substr(0, text.rfind('*'));
+    while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  }
   return text;
 }
 
@@ -121,7 +122,8 @@ Result<std::optional<Line>> normalise(std::string_view raw) {
   if (text.empty()) return std::optional<Line>();
   if (const auto why = unfit_for_job(text); !why.empty()) return refused(text, why);
   if (text.front() == '@') return std::optional<Line>();  // words to some host
-  std::string kept = is_message(text) ? sendable_message(text) : std::string(text);
+  std::string kept =
+      is_message(text) ? with_single_blanks(sendable_message(text)) : std::string(text);
   if (kept.size() > Line::kMaxText) kept = shortened(kept);
   return Line::make(kept).map([](Line&& line) { return std::optional<Line>(std::move(line)); });
 }
