@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <libserialport.h>
+#include <termios.h>
 
 #include <cerrno>
 #include <cstring>
@@ -75,6 +76,14 @@ sp_return configure(sp_port* port, int baud) {
   return done;
 }
 
+/// Whoever lets DTR fall when closing resets the board at the next opening, when it rises again.
+sp_return keep_dtr_when_closed(int terminal) {
+  termios settings{};
+  if (::tcgetattr(terminal, &settings) < 0) return SP_ERR_FAIL;
+  settings.c_cflag &= ~static_cast<tcflag_t>(HUPCL);
+  return ::tcsetattr(terminal, TCSANOW, &settings) < 0 ? SP_ERR_FAIL : SP_OK;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Transport>> open_serial(const std::string& path, int baud) {
@@ -84,11 +93,13 @@ Result<std::unique_ptr<Transport>> open_serial(const std::string& path, int baud
   PortHandle port(found);
   done = ::sp_open(port.get(), SP_MODE_READ_WRITE);
   if (done != SP_OK) return refused(path, done, "open it");
-  done = configure(port.get(), baud);
-  if (done != SP_OK) return refused(path, done, fmt::format("set {} baud, 8N1", baud));
   int handle = -1;
   done = ::sp_get_port_handle(port.get(), &handle);
   if (done != SP_OK) return refused(path, done, "get its descriptor");
+  done = keep_dtr_when_closed(handle);
+  if (done != SP_OK) return refused(path, done, "keep its DTR");
+  done = configure(port.get(), baud);
+  if (done != SP_OK) return refused(path, done, fmt::format("set {} baud, 8N1", baud));
   // libserialport 0.1.1 leaves the port open for the programs that this one starts.
   if (::fcntl(handle, F_SETFD, FD_CLOEXEC) < 0) return refused(path, SP_ERR_FAIL, "keep it");
   UniqueFd fd(::fcntl(handle, F_DUPFD_CLOEXEC, 0));

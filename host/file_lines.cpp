@@ -33,6 +33,20 @@ Result<std::int64_t> FileLines::check(const std::filesystem::path& path) {
 }
 
 Result<std::optional<Line>> FileLines::next() {
+  while (true) {
+    if (auto line = pace_.pop(); line || ended_) return line;
+    auto command = next_command();
+    if (!command) return command;
+    ended_ = !*command;
+    if (ended_) {
+      pace_.end();
+    } else {
+      pace_.push(**std::move(command));
+    }
+  }
+}
+
+Result<std::optional<Line>> FileLines::next_command() {
   while (read_line()) {
     ++number_;
     if (text_.size() > kMaxLine) {

@@ -7,11 +7,13 @@
 #include <string>
 
 #include "host/line_source.h"
+#include "host/status_pace.h"
 
 namespace slipstick {
 
 /// The lines of a G-code file, read as they are needed, whatever ends them (LF, CR LF, CR; the last
-/// one nothing). A line that no printer could take is an error that names file and line.
+/// one nothing), without what floods a display (StatusPace). A line that no printer could take is
+/// an error that names file and line.
 class FileLines final : public LineSource {
  public:
   /// Bytes; slicers write pictures in comments of some hundred.
@@ -31,6 +33,8 @@ class FileLines final : public LineSource {
   FileLines(std::filesystem::path path, std::ifstream stream)
       : path_(std::move(path)), stream_(std::move(stream)) {}
 
+  /// The next line that is a command; nothing at the end of the file.
+  [[nodiscard]] Result<std::optional<Line>> next_command();
   /// More of the file into `block_`. \return whether there was any.
   [[nodiscard]] bool fill();
   /// The next line into `text_`. \return whether there was one.
@@ -44,6 +48,8 @@ class FileLines final : public LineSource {
   bool after_return_ = false;  ///< A LF would be the second half of a CR LF.
   std::string text_;           ///< At most a byte more than `kMaxLine`.
   std::int64_t number_ = 0;
+  StatusPace pace_;
+  bool ended_ = false;
 };
 
 }  // namespace slipstick

@@ -249,6 +249,8 @@ class Stream {
         outcome_.firmware = firmware->name;
       } else if (const auto* message = std::get_if<MessageSeen>(&event)) {
         tell_user(message->text);
+      } else if (std::holds_alternative<ResetWanted>(event)) {
+        reset_board();
       } else if (const auto* resend = std::get_if<ResendSeen>(&event)) {
         spdlog::debug("printer asks for line {} again", resend->line);
       }

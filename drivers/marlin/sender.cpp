@@ -30,7 +30,10 @@ Sender::Sender(SenderOptions options) : options_(options) {
 }
 
 void Sender::receive(std::string_view bytes, Moment now) {
-  if (!bytes.empty()) last_heard_ = now;
+  if (!bytes.empty()) {
+    last_heard_ = now;
+    heard_ = true;
+  }
   splitter_.feed(bytes);
   while (const auto line = splitter_.next()) handle(parse_reply(*line), now);
 }
@@ -143,6 +146,8 @@ bool Sender::bind_next(Moment now) {
   if (!stop_lines_.empty()) {
     bind(stop_lines_.back().text(), LineOwner::kSender);
     stop_lines_.pop_back();
+  } else if (reports_ && !reporting_ && !ended_) {
+    ask_for_reports(options_.report_seconds);
   } else if (!reports_ && now >= next_poll_) {
     next_poll_ = now + kPollInterval;
     bind("M105", LineOwner::kSender);
@@ -155,12 +160,20 @@ bool Sender::bind_next(Moment now) {
     bind(queued_->text(), queued_for_);
     queued_.reset();
     if (queued_for_ == LineOwner::kJob) ++counters_.lines_sent;
+  } else if (ended_ && reporting_) {
+    ask_for_reports(0);
   } else if (ended_ && !closing_) {
     closing_ = bind("M105", LineOwner::kSender);
   } else {
     return false;
   }
   return true;
+}
+
+// Not for ever: a firmware may stand still when nobody reads what it reports.
+void Sender::ask_for_reports(int seconds) {
+  reporting_ = seconds > 0;
+  bind("M155 S" + std::to_string(seconds), LineOwner::kSender);
 }
 
 LineNumber Sender::bind(std::string text, LineOwner owner) {

@@ -141,6 +141,7 @@ class Sender {
   void step(Moment now);
   void send_next(Moment now);
   [[nodiscard]] bool bind_next(Moment now);
+  void ask_for_reports(int seconds);
   LineNumber bind(std::string text, LineOwner owner);
   void trust(LineNumber number);
   void transmit(Moment now);
@@ -182,6 +183,7 @@ class Sender {
   void on(const Start& start, Moment now);
   void on(const Wait& wait, Moment now);
   void on(const Unknown& unknown, Moment now);
+  [[nodiscard]] bool asked_for_temperatures() const;
   [[nodiscard]] bool may_answer(const Ok& ok, LineNumber number) const;
   void acknowledge(LineNumber number, Moment now);
   void stay_patient(Moment now);
@@ -227,12 +229,13 @@ class Sender {
   std::optional<Moment> listening_until_;
   Moment listening_since_{};
   bool booting_ = false;
+  bool heard_ = false;  ///< Anything at all.
   int attempts_ = 0;
   int name_requests_ = 0;
   std::string firmware_;
-  bool reports_ = false;  ///< The printer can report temperatures by itself…
-  bool reports_asked_ = false;
-  Moment next_poll_{};  ///< …otherwise it is asked, this often.
+  bool reports_ = false;    ///< The printer can report temperatures by itself…
+  bool reporting_ = false;  ///< …and does,
+  Moment next_poll_{};      ///< otherwise it is asked, this often.
 
   // The sequence.
   SentLines lines_;

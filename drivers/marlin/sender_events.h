@@ -88,9 +88,15 @@ struct QuestionInserted {
   friend bool operator==(const QuestionInserted&, const QuestionInserted&) = default;
 };
 
+/// Nothing at all was heard from the printer: it may have killed itself, and then only a reset
+/// wakes it. Told once, in the greeting, and followed by another listening for the banner.
+struct ResetWanted {
+  friend bool operator==(const ResetWanted&, const ResetWanted&) = default;
+};
+
 using SenderEvent =
     std::variant<FirmwareSeen, TemperaturesSeen, ResendSeen, ProbeSent, MessageSeen, ActionSeen,
-                 SenderStopped, SessionBegun, LineBound, QuestionInserted>;
+                 SenderStopped, SessionBegun, LineBound, QuestionInserted, ResetWanted>;
 
 struct SenderCounters {
   std::uint64_t lines_sent = 0;  ///< Lines of the job that were sent, each counted once.

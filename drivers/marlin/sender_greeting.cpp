@@ -14,6 +14,8 @@ constexpr Moment kBootQuiet = std::chrono::milliseconds(700);
 constexpr Moment kBootMax = std::chrono::seconds(15);
 /// Long enough for all answers to the last attempt.
 constexpr Moment kBetweenAttempts = std::chrono::milliseconds(200);
+/// Attempts that a printer may leave without a byte before it is reset.
+constexpr int kSilentAttempts = 2;
 constexpr int kNameRequests = 3;
 /// Lines of the greeting after which it has failed: each answered, none twice in a row without
 /// noise.
@@ -42,7 +44,7 @@ void Sender::say_hello(Moment now) {
   last_clean_ = -2;
   probes_ = rewinds_ = odd_requests_ = 0;
   name_requests_ = 0;
-  reports_asked_ = false;
+  reporting_ = false;
   doubt_.reset();
   tell(SessionBegun{first_});
   lines_.bind("M110 N" + std::to_string(first_), LineOwner::kSender);
@@ -55,7 +57,9 @@ void Sender::greet_again(Moment now) {
     return give_up(SenderState::kLost,
                    "no Marlin answers; check the port, the baud rate and that the printer is on");
   }
-  listen(now, kBetweenAttempts);
+  const bool mute = !heard_ && attempts_ == kSilentAttempts;
+  if (mute) tell(ResetWanted{});
+  listen(now, mute ? options_.banner_wait : kBetweenAttempts);
 }
 
 bool Sender::bind_greeting(Moment now) {
@@ -66,9 +70,8 @@ bool Sender::bind_greeting(Moment now) {
   if (firmware_.empty() && name_requests_ < kNameRequests) {
     ++name_requests_;
     bind("M115", LineOwner::kSender);
-  } else if (reports_ && !reports_asked_) {
-    reports_asked_ = true;
-    bind("M155 S" + std::to_string(options_.report_seconds), LineOwner::kSender);
+  } else if (reports_ && !reporting_) {
+    ask_for_reports(options_.report_seconds);
   } else if (sure_ < first_ + 1) {
     // Once the line after the M110 is surely taken, a request for it can only mean that the board
     // was reset.

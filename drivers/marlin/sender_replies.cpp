@@ -2,6 +2,7 @@
 #include <utility>
 #include <variant>
 
+#include "drivers/marlin/patience.h"
 #include "drivers/marlin/sender.h"
 
 namespace slipstick {
@@ -120,7 +121,14 @@ void Sender::on(const Temperatures& temperatures, Moment now) {
   // Reports come by themselves while an ok is lost; only those of a heating command prove that it
   // runs.
   if (temperatures.waiting) stay_patient(now);
+  // The sender that began a session which this one goes on with may have told it to.
+  if (options_.kept && !asked_for_temperatures()) reporting_ = true;
   tell(TemperaturesSeen{temperatures});
+}
+
+bool Sender::asked_for_temperatures() const {
+  if (!outstanding_) return false;
+  return patience_ == kBlockingPatience || lines_.at(*outstanding_).text == "M105";
 }
 
 void Sender::on(const Wait& /*wait*/, Moment now) {

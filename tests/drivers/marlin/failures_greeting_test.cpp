@@ -1,4 +1,5 @@
 // The first seconds: garbage, bootloaders, boards that are late or reset after they were greeted.
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "core/base/rng.h"
@@ -63,6 +64,47 @@ TEST_CASE("Garbage before the greeting and in it does no harm to the next") {
   talk.expects(kHello);
 
   talk.goes_on();
+}
+
+bool wants_reset(Sender& sender) {
+  const auto events = sender.take_events();
+  return std::ranges::count(events, SenderEvent(ResetWanted{})) > 0;
+}
+
+TEST_CASE("A board that says nothing at all is to be reset, once, and heard out") {
+  Meeting talk;
+  talk.is_greeted();
+  talk.silence(6s);
+  talk.expects("");
+  CHECK_FALSE(wants_reset(talk.sender));
+  talk.silence(200ms);
+  talk.expects(kHello);
+
+  talk.silence(6s);
+  talk.expects("");
+
+  CHECK(wants_reset(talk.sender));
+  talk.silence(2400ms);
+  talk.expects("");
+  talk.says("start");
+  talk.silence(700ms);
+  talk.expects(kHello);
+  talk.silence(6s);
+  talk.expects("");
+  CHECK_FALSE(wants_reset(talk.sender));
+}
+
+TEST_CASE("A board that says anything is not reset for answering nothing") {
+  Meeting talk;
+  talk.is_greeted();
+  talk.says("echo:busy: processing");
+  while (talk.sender.state() == SenderState::kGreeting && talk.now < 10min) {
+    (void)talk.sender.take_output(talk.now);
+    talk.silence(20ms);
+  }
+
+  CHECK(talk.sender.state() == SenderState::kLost);
+  CHECK_FALSE(wants_reset(talk.sender));
 }
 
 // The wrong baud rate: noise without an end.

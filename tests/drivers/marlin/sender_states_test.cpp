@@ -20,6 +20,7 @@ struct Journey : Talk {
 
   void finish(LineNumber number) {
     sender.end_of_job();
+    falls_silent(number++);
     expects(frame(number, "M105"));
     says("ok T:20.00 /0.00");
     silence(60ms);
@@ -41,6 +42,9 @@ TEST_CASE("States follow one another from greeting to done and to the next job")
   journey.is(kDone);
   journey.job("G1 X2");
   journey.is(kPrinting);
+  journey.expects(frame(6, "M155 S2"));
+  journey.says("ok");
+  journey.expects(frame(7, "G1 X2"));
 }
 
 TEST_CASE("A blocking command is waited for, and then lines flow again") {
@@ -88,6 +92,7 @@ TEST_CASE("Stopping leads to done, from ready and from the middle of a print") {
     journey.expects(frame(number++, text));
     journey.says("ok");
   }
+  journey.falls_silent(number++);
   journey.expects(frame(number, "M105"));
   journey.says("ok T:20.00 /0.00");
   journey.silence(60ms);

@@ -43,6 +43,12 @@ class Talk {
     says("ok");
   }
 
+  /// The job is over: is asked, as `number`, to report no more.
+  void falls_silent(LineNumber number) {
+    expects(frame(number, "M155 S0"));
+    says("ok");
+  }
+
   void refuses(LineNumber last, std::string_view why = "checksum mismatch") {
     says("Error:" + std::string(why) + ", Last Line: " + std::to_string(last));
     says("Resend: " + std::to_string(last + 1));

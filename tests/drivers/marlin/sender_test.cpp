@@ -112,7 +112,8 @@ TEST_CASE("Done is said only after the printer proved that it took the last line
   talk.greet();
   talk.prints(3, "G1 X1");
   talk.sender.end_of_job();
-  talk.expects(frame(4, "M105"));
+  talk.falls_silent(4);
+  talk.expects(frame(5, "M105"));
   CHECK(talk.sender.state() == SenderState::kPrinting);
   talk.says("ok T:20.00 /0.00");
   talk.expects("");
@@ -124,12 +125,34 @@ TEST_CASE("Done is said only after the printer proved that it took the last line
   CHECK(talk.sender.wants_line());
 }
 
+// A firmware may stand still when nobody reads what it says (mpmd_marlin_1.1.x issue 48).
+TEST_CASE("Reports end with the print, also those that the sender before has asked for") {
+  Talk talk;
+  talk.greet();
+  talk.sender.end_of_job();
+  talk.falls_silent(3);
+  talk.expects(frame(4, "M105"));
+
+  const bool reports = GENERATE(true, false);
+  Sender second({.first_number = 0, .kept = KeptSession{4, {}}});
+  second.push(*Line::make("G1 X1"));
+  REQUIRE(second.take_output(0s) == frame(5, "M105"));
+  second.receive("ok T:20.00 /0.00\n", 0s);
+  REQUIRE(second.take_output(0s) == frame(6, "G1 X1"));
+  if (reports) second.receive(" T:20.00 /0.00 B:20.00 /0.00 @:0 B@:0\n", 1s);
+  second.receive("ok\n", 1s);
+  second.end_of_job();
+
+  CHECK(second.take_output(1s) == frame(7, reports ? "M155 S0" : "M105"));
+}
+
 TEST_CASE("A bare ok does not prove that the last line was taken") {
   Talk talk;
   talk.greet();
   talk.prints(3, "G1 X1");
   talk.sender.end_of_job();
-  talk.expects(frame(4, "M105"));
+  talk.falls_silent(4);
+  talk.expects(frame(5, "M105"));
 
   talk.says("ok");
   talk.silence(60ms);
@@ -137,7 +160,7 @@ TEST_CASE("A bare ok does not prove that the last line was taken") {
   CHECK(talk.sender.state() == SenderState::kPrinting);
   talk.silence(1s);
 
-  talk.expects(frame(5, "M105"));
+  talk.expects(frame(6, "M105"));
 }
 
 TEST_CASE("Stopping drops the job's next line and switches everything off, numbered") {
@@ -158,6 +181,7 @@ TEST_CASE("Stopping drops the job's next line and switches everything off, numbe
     talk.expects(frame(line++, text));
     talk.says("ok");
   }
+  talk.falls_silent(line++);
   talk.expects(frame(line, "M105"));
   talk.says("ok T:20.00 /0.00");
   talk.silence(60ms);

@@ -1,0 +1,173 @@
+// The serial port of a board behind a USB adapter, mocked by umockdev, with the simulated printer
+// at its other end.
+#include <asm/termbits.h>
+#include <poll.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <array>
+#include <catch2/catch.hpp>
+#include <thread>
+
+#include "drivers/open_transport.h"
+#include "drivers/serial_ports.h"
+#include "drivers/serial_transport.h"
+#include "host/stream_job.h"
+#include "sim/printer.h"
+#include "tests/serial/mocked_port.h"
+#include "tests/support/live_printer.h"
+
+using namespace slipstick;
+using namespace std::chrono_literals;
+using Catch::Contains;
+using test::MockedPort;
+
+namespace {
+
+bool skipped() {
+  if (MockedPort::mocked()) return false;
+  WARN("skipped: run by ctest, which mocks a serial port");
+  return true;
+}
+
+termios2 settings_of(int terminal) {
+  termios2 settings{};
+  REQUIRE(::ioctl(terminal, TCGETS2, &settings) == 0);
+  return settings;
+}
+
+/// A printer on the far side of the port, a hundred times as fast as a real one. A fall of DTR
+/// resets it.
+class Board {
+ public:
+  Board(const MockedPort& port, Printer printer)
+      : fd_(port.board()), printer_(std::move(printer)), thread_([this](const auto& stop) {
+          while (!stop.stop_requested()) turn();
+        }) {}
+
+ private:
+  void turn() {
+    if (MockedPort::dtr_falls() > falls_) printer_.reset();
+    falls_ = MockedPort::dtr_falls();
+    pollfd wait{fd_, POLLIN, 0};
+    ::poll(&wait, 1, 1);
+    printer_.advance(printer_.now() + 100ms);
+    std::array<char, 512> bytes{};
+    if ((wait.revents & POLLIN) != 0) {
+      const auto got = ::read(fd_, bytes.data(), bytes.size());
+      if (got > 0) printer_.receive({bytes.data(), static_cast<std::size_t>(got)}, printer_.now());
+      printer_.advance(printer_.now());
+    }
+    const std::size_t said = printer_.take(bytes);
+    if (said > 0) SLIPSTICK_CHECK(::write(fd_, bytes.data(), said) >= 0);
+  }
+
+  int fd_;
+  int falls_ = MockedPort::dtr_falls();
+  Printer printer_;
+  std::jthread thread_;
+};
+
+/// A host twenty times as hasty as a real one.
+class HastyClock final : public Clock {
+ public:
+  [[nodiscard]] Moment now() const override { return 20 * SteadyClock().now(); }
+};
+
+Result<StreamOutcome> print(Transport& transport, const std::vector<std::string>& program) {
+  const HastyClock clock;
+  test::ProgramLines lines(program);
+  return stream_job(transport, clock, lines, {});
+}
+
+}  // namespace
+
+TEST_CASE("A serial port is listed with its adapter, and found by it") {
+  if (skipped()) return;
+  const MockedPort port;
+
+  const auto ports = list_serial_ports();
+
+  REQUIRE(ports);
+  REQUIRE(ports->size() == 1);
+  CHECK(ports->front() == SerialPort{.path = MockedPort::kPath,
+                                     .usb = UsbId{0x1a86, 0x7523},
+                                     .product = "USB Serial",
+                                     .serial_number = "A1B2"});
+  CHECK(find_serial_port(*ports, {0x1a86, 0x7523}, "A1B2") == MockedPort::kPath);
+}
+
+TEST_CASE("A serial port is opened raw, at any baud rate") {
+  if (skipped()) return;
+  for (const int baud : {115'200, 250'000, 1'000'000}) {
+    INFO(baud);
+    const MockedPort port;
+
+    const auto transport = open_serial(MockedPort::kPath, baud);
+
+    if (!transport) FAIL(transport.error().message);
+    const termios2 settings = settings_of(port.board());
+    CHECK(settings.c_ospeed == static_cast<speed_t>(baud));
+    CHECK((settings.c_lflag & (ICANON | ECHO | ISIG)) == 0);
+    CHECK((settings.c_oflag & OPOST) == 0);
+    CHECK((settings.c_iflag & (IXON | IXOFF | ICRNL)) == 0);
+  }
+}
+
+TEST_CASE("A serial port that is closed keeps DTR, so that the next opening resets no board") {
+  if (skipped()) return;
+  const MockedPort port;
+  const int falls = MockedPort::dtr_falls();
+
+  for (const int baud : {115'200, 250'000}) {
+    REQUIRE(open_serial(MockedPort::kPath, baud));
+
+    CHECK((settings_of(port.board()).c_cflag & HUPCL) == 0);
+  }
+  CHECK(MockedPort::dtr_falls() == falls);
+}
+
+TEST_CASE("A print goes out over a serial port") {
+  if (skipped()) return;
+  const MockedPort port;
+  std::vector<test::Bead> beads;
+  const auto program = test::quick_program(300);
+  {
+    const Board board(port, Printer({}, test::into(beads)));
+    const auto transport = open_transport(*parse_transport_address("usb:1a86:7523"));
+    REQUIRE(transport);
+
+    const auto outcome = print(**transport, program);
+
+    REQUIRE(outcome);
+    std::this_thread::sleep_for(500ms);  // until the last moves are over
+  }
+  CHECK(test::without_speed(beads) == test::quick_beads(program));
+}
+
+TEST_CASE("A board that answers nothing is reset by DTR, and then prints") {
+  if (skipped()) return;
+  const MockedPort port;
+  Printer halted({});
+  halted.advance(1s);
+  halted.kill();
+  const int falls = MockedPort::dtr_falls();
+  const Board board(port, std::move(halted));
+  const auto transport = open_serial(MockedPort::kPath, 115'200);
+  REQUIRE(transport);
+
+  const auto outcome = print(**transport, {"M105", "G28"});
+
+  CHECK(outcome);
+  CHECK(MockedPort::dtr_falls() == falls + 1);
+}
+
+TEST_CASE("A port that is no serial port is refused by name") {
+  if (skipped()) return;
+  const MockedPort port;
+
+  const auto transport = open_serial("/dev/ttyUSB7", 115'200);
+
+  REQUIRE_FALSE(transport);
+  CHECK_THAT(transport.error().message, Contains("/dev/ttyUSB7"));
+}
