@@ -25,12 +25,10 @@ MachineOptions machine_like(const PrinterSettings& printer) {
       .kinematics = Kinematics(round ? Kinematics::Kind::kDelta : Kinematics::Kind::kCartesian)};
 }
 
-Result<PrinterLink> open_printer(std::string_view address, const PrinterSettings& printer,
+Result<PrinterLink> open_printer(const TransportAddress& address, const PrinterSettings& printer,
                                  const Planner::Sink& sink) {
-  const auto parsed = parse_transport_address(address);
-  if (!parsed) return fail(parsed.error());
-  if (parsed->kind == TransportKind::kSim) return open_simulator(*parsed, printer, sink);
-  auto transport = open_transport(*parsed);
+  if (address.kind == TransportKind::kSim) return open_simulator(address, printer, sink);
+  auto transport = open_transport(address);
   if (!transport) return fail(transport.error());
   auto clock = std::make_unique<SteadyClock>();
   const Clock* now = clock.get();

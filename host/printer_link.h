@@ -6,6 +6,7 @@
 #include "core/job/settings.h"
 #include "drivers/clock.h"
 #include "drivers/transport.h"
+#include "drivers/transport_address.h"
 #include "host/stream_job.h"
 #include "sim/sim_transport.h"
 
@@ -20,9 +21,9 @@ struct PrinterLink {
   SimTransport* sim = nullptr;  ///< `transport`, if that is the embedded simulator.
 };
 
-/// Opens what `address` names (INTERFACES: PORT). \param sink gets every move of a simulated
+/// Opens what `address` names. \param sink gets every move of a simulated
 /// printer.
-[[nodiscard]] Result<PrinterLink> open_printer(std::string_view address,
+[[nodiscard]] Result<PrinterLink> open_printer(const TransportAddress& address,
                                                const PrinterSettings& printer,
                                                const Planner::Sink& sink);
 

@@ -193,8 +193,9 @@ class Stream {
 
   Result<StreamOutcome> out_of_reach(const Error& error) {
     if (error.code == ErrorCode::kTimedOut) reset_board();
-    if (!failure_) return fail(error.code, error.message + kMaybeHot);
-    return failed(error.message + kMaybeHot);
+    if (failure_) return failed(error.message + kMaybeHot);
+    const bool gone = error.code == ErrorCode::kUnavailable;
+    return fail(gone ? ErrorCode::kDisconnected : error.code, error.message + kMaybeHot);
   }
 
   void heed(const PrinterWords::Heard& heard) {

@@ -47,9 +47,8 @@ struct StreamOutcome {
 /// that is to be hot cannot be right.
 ///
 /// Whatever ends it early, the heaters are turned off if the printer can still hear it.
-/// \return kCancelled if interrupted, kPrinter if the printer halted or was lost, or what `source`
-/// or
-///   `transport` failed with.
+/// \return kCancelled if interrupted, kPrinter if the printer halted or was lost, kDisconnected if
+/// `transport` went away, or what it or `source` failed with.
 [[nodiscard]] Result<StreamOutcome> stream_job(Transport& transport, const Clock& clock,
                                                LineSource& source, const StreamOptions& options);
 

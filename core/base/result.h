@@ -11,10 +11,11 @@ namespace slipstick {
 /// Who can do something about an error.
 enum class ErrorCode : std::uint8_t {
   kInput,  ///< The user: a file, an option, a model. The message says what, where and what to do.
-  kUnavailable,  ///< The machine: a device or a file that is gone, a full disk.
-  kTimedOut,     ///< Nobody yet: nothing came in time, trying again may help.
-  kCancelled,    ///< Somebody asked for it.
-  kPrinter,      ///< The printer reported a fault.
+  kUnavailable,   ///< The machine: a device or a file that is gone, a full disk.
+  kTimedOut,      ///< Nobody yet: nothing came in time, trying again may help.
+  kCancelled,     ///< Somebody asked for it.
+  kPrinter,       ///< The printer reported a fault.
+  kDisconnected,  ///< Nobody yet: the printer's port is away in the middle of a print.
 };
 
 /// An error of operation, with one line for a person.

@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include <filesystem>
+#include <functional>
 #include <iostream>
 
 #include "host/atomic_file.h"
@@ -17,6 +18,7 @@
 #include "host/print_watch.h"
 #include "host/printer_link.h"
 #include "host/progress.h"
+#include "host/reconnect.h"
 #include "host/report.h"
 #include "host/stopwatch.h"
 
@@ -54,12 +56,12 @@ bool is_gcode(const std::filesystem::path& path) {
   return path.extension() == ".gcode" || path.extension() == ".g" || path.extension() == ".gco";
 }
 
-nlohmann::ordered_json printer_report(const StreamOutcome& outcome) {
+nlohmann::ordered_json printer_report(const StreamOutcome& outcome, int reconnects) {
   return {{"firmware", outcome.firmware},
           {"lines_sent", outcome.counters.lines_sent},
           {"lines_acknowledged", outcome.counters.lines_acknowledged},
           {"resends", outcome.counters.resends},
-          {"reconnects", 0},
+          {"reconnects", reconnects},
           {"starved_seconds", outcome.starved_seconds},
           {"not_done", outcome.not_done},
           {"unknown_commands", outcome.unknown_commands}};
@@ -82,8 +84,8 @@ nlohmann::ordered_json sim_report(const SimTransport& sim, PrintWatch& watch) {
 
 class PrintRun {
  public:
-  PrintRun(const PrintCommand& command, JournalledPrint& journal)
-      : command_(command), journal_(journal) {}
+  PrintRun(const PrintCommand& command, ReturningPort& port, JournalledPrint& journal)
+      : command_(command), port_(port), journal_(journal) {}
 
   CommandResult run() {
     auto request = command_.slicing.request(SliceGoal::kToolpaths);
@@ -156,7 +158,7 @@ class PrintRun {
   }
 
   Result<void> connect() {
-    auto link = open_printer(command_.port, request_.settings.printer, watch_->sink());
+    auto link = open_printer(port_.address(), request_.settings.printer, watch_->sink());
     if (!link) return fail(link.error());
     link_ = std::move(*link);
     return journal_.find(*link_->transport, *link_->clock);
@@ -179,7 +181,7 @@ class PrintRun {
   }
 
   Result<void> write_report() {
-    report_["printer"] = printer_report(outcome_);
+    report_["printer"] = printer_report(outcome_, port_.returns());
     if (!sim_report_.is_null()) report_["sim"] = sim_report_;
     // A printer may call itself by bytes that are no text.
     const std::string report =
@@ -206,6 +208,7 @@ class PrintRun {
   }
 
   const PrintCommand& command_;
+  ReturningPort& port_;
   JournalledPrint& journal_;
   Stopwatch total_;
   SlicingRequest request_;
@@ -238,6 +241,20 @@ Result<std::shared_ptr<PrintCommand>> command_of(const JournalHeader& header) {
   return command;
 }
 
+// The journal at `path` is `first()`, or what it says when the port is back.
+CommandResult run_through_gaps(const PrintCommand& command, const std::filesystem::path& path,
+                               const std::function<JournalledPrint()>& first) {
+  const auto address = parse_transport_address(command.port);
+  if (!address) return fail(address.error());
+  ReturningPort port(
+      *address, {[](const std::string& text) { spdlog::warn("{}", text); }, &Interrupt::requested});
+  return print_through_gaps(port, path, [&](std::optional<JournalContent> rest) {
+    JournalledPrint journal =
+        rest ? JournalledPrint(path, *std::move(rest), Consent::kNone) : first();
+    return PrintRun(command, port, journal).run();
+  });
+}
+
 CommandResult run_resumed(const PrintCommand& command) {
   const std::filesystem::path path = std::filesystem::absolute(command.resume);
   auto content = read_journal(path);
@@ -254,20 +271,20 @@ CommandResult run_resumed(const PrintCommand& command) {
     return fail(ErrorCode::kInput, fmt::format("{}: the print began in {}: {}", path.string(),
                                                content->header.folder, error.message()));
   }
-  JournalledPrint journal(path, *std::move(content),
-                          command.recover ? Consent::kRecover : Consent::kNone);
-  return PrintRun(**original, journal).run();
+  const Consent consent = command.recover ? Consent::kRecover : Consent::kNone;
+  return run_through_gaps(**original, path,
+                          [&] { return JournalledPrint(path, *content, consent); });
 }
 
 CommandResult run_print(const PrintCommand& command) {
   if (!command.resume.empty()) return run_resumed(command);
   if (command.journal.empty()) {
-    JournalledPrint none;
-    return PrintRun(command, none).run();
+    return run_through_gaps(command, {}, [] { return JournalledPrint(); });
   }
   const std::string folder = std::filesystem::current_path().string();
-  JournalledPrint journal(command.journal, JournalHeader{folder, command.words, 0, 0});
-  return PrintRun(command, journal).run();
+  return run_through_gaps(command, command.journal, [&] {
+    return JournalledPrint(command.journal, JournalHeader{folder, command.words, 0, 0});
+  });
 }
 
 void check_usage(const PrintCommand& command) {

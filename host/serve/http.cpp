@@ -74,6 +74,7 @@ unsigned status_of(ErrorCode code) {
       return 409;
     case ErrorCode::kUnavailable:
     case ErrorCode::kTimedOut:
+    case ErrorCode::kDisconnected:
       break;
   }
   return 503;

@@ -2,13 +2,13 @@
 
 #include <nlohmann/json.hpp>
 
-#include "drivers/transport_address.h"
 #include "host/file_lines.h"
 #include "host/journalled_print.h"
 #include "host/layer_lines.h"
 #include "host/pause.h"
 #include "host/print_watch.h"
 #include "host/printer_link.h"
+#include "host/reconnect.h"
 
 namespace slipstick {
 namespace {
@@ -45,9 +45,9 @@ Json sim_json(const PrintVerdict& verdict) {
 
 class TaskRun {
  public:
-  TaskRun(const PrintTask& task, JournalledPrint& journal, PrintControl& control,
-          const TaskListeners& listeners)
-      : task_(task), journal_(journal), control_(control), listeners_(listeners) {}
+  TaskRun(const PrintTask& task, ReturningPort& port, JournalledPrint& journal,
+          PrintControl& control, const TaskListeners& listeners)
+      : task_(task), port_(port), journal_(journal), control_(control), listeners_(listeners) {}
 
   Result<std::string> run() {
     const auto settings = load_settings(task_.spec.settings);
@@ -105,7 +105,7 @@ class TaskRun {
   }
 
   Result<void> connect(const PrinterSettings& printer) {
-    auto link = open_printer(task_.port, printer, watch_->sink());
+    auto link = open_printer(port_.address(), printer, watch_->sink());
     if (!link) return fail(link.error());
     link_ = std::move(*link);
     return journal_.find(*link_->transport, *link_->clock);
@@ -130,6 +130,7 @@ class TaskRun {
   }
 
   const PrintTask& task_;
+  ReturningPort& port_;
   JournalledPrint& journal_;
   PrintControl& control_;
   const TaskListeners& listeners_;
@@ -142,19 +143,23 @@ class TaskRun {
 
 Result<std::string> run_print_task(const PrintTask& task, PrintControl& control,
                                    const TaskListeners& listeners) {
-  if (task.take_up) {
-    auto content = read_journal(task.journal);
-    if (!content) return fail(content.error());
-    JournalledPrint journal(task.journal, *std::move(content), *task.take_up);
-    return TaskRun(task, journal, control, listeners).run();
-  }
   const auto address = parse_transport_address(task.port);
-  if (address && address->kind == TransportKind::kSim) {
-    JournalledPrint none;
-    return TaskRun(task, none, control, listeners).run();
-  }
-  JournalledPrint journal(task.journal, JournalHeader{});
-  return TaskRun(task, journal, control, listeners).run();
+  if (!address) return fail(address.error());
+  const bool kept = address->kind != TransportKind::kSim;
+  ReturningPort port(*address, {[&](const std::string& text) { control.tell(MessageSeen{text}); },
+                                [&] { return control.wish() >= PrintControl::Wish::kCancel; }});
+  const auto run = [&](JournalledPrint journal) {
+    return TaskRun(task, port, journal, control, listeners).run();
+  };
+  return print_through_gaps(
+      port, kept ? task.journal : "",
+      [&](std::optional<JournalContent> rest) -> Result<std::string> {
+        if (rest) return run({task.journal, *std::move(rest), Consent::kNone});
+        if (!task.take_up) return run(kept ? JournalledPrint(task.journal, {}) : JournalledPrint());
+        auto content = read_journal(task.journal);
+        if (!content) return fail(content.error());
+        return run({task.journal, *std::move(content), *task.take_up});
+      });
 }
 
 }  // namespace slipstick

@@ -1,6 +1,10 @@
 #include "tests/serial/mocked_port.h"
 
 #include <dlfcn.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
 
 #include "core/base/check.h"
 
@@ -13,7 +17,9 @@ extern "C" const char* __asan_default_options() {
 namespace slipstick::test {
 namespace {
 
-// As `udevadm info` tells of such an adapter, the nearest first.
+const std::string kUsbDevice = "/sys/devices/pci0000:00/0000:00:14.0/usb1/1-2";
+
+// As `udevadm info` tells of such an adapter, the nearest to the computer first.
 constexpr const char* kAdapter =
     "P: /devices/pci0000:00/0000:00:14.0/usb1/1-2\n"
     "N: bus/usb/001/004\n"
@@ -31,15 +37,15 @@ constexpr const char* kAdapter =
     "E: DEVTYPE=usb_interface\n"
     "E: SUBSYSTEM=usb\n"
     "\n"
-    "P: /devices/pci0000:00/0000:00:14.0/usb1/1-2/1-2:1.0/ttyUSB0\n"
+    "P: /devices/pci0000:00/0000:00:14.0/usb1/1-2/1-2:1.0/{0}\n"
     "E: SUBSYSTEM=usb-serial\n"
     "\n"
-    "P: /devices/pci0000:00/0000:00:14.0/usb1/1-2/1-2:1.0/ttyUSB0/tty/ttyUSB0\n"
-    "N: ttyUSB0\n"
-    "E: DEVNAME=/dev/ttyUSB0\n"
+    "P: /devices/pci0000:00/0000:00:14.0/usb1/1-2/1-2:1.0/{0}/tty/{0}\n"
+    "N: {0}\n"
+    "E: DEVNAME=/dev/{0}\n"
     "E: SUBSYSTEM=tty\n"
     "A: dev=188:0\n"
-    "L: device=../../../ttyUSB0\n"
+    "L: device=../../../{0}\n"
     "\n";
 
 // Of the modem lines, which are preloaded together with umockdev.
@@ -54,11 +60,31 @@ bool MockedPort::mocked() {
 }
 
 MockedPort::MockedPort() : testbed_(umockdev_testbed_new()) {
-  GError* error = nullptr;
-  const bool added = umockdev_testbed_add_from_string(testbed_.get(), kAdapter, &error) != 0;
-  SLIPSTICK_CHECK(added && error == nullptr);
-  board_ = umockdev_testbed_get_dev_fd(testbed_.get(), kPath);
-  SLIPSTICK_CHECK(board_ >= 0);
+  plug_in(0);
+}
+
+void MockedPort::plug_in(int number) {
+  SLIPSTICK_CHECK(board_ < 0);
+  name_ = fmt::format("ttyUSB{}", number);
+  const std::string adapter = fmt::format(kAdapter, name_);
+  const std::string path = "/dev/" + name_;
+  SLIPSTICK_CHECK(umockdev_testbed_add_from_string(testbed_.get(), adapter.c_str(), nullptr) != 0);
+  board_ = umockdev_testbed_get_dev_fd(testbed_.get(), path.c_str());
+  // A program that is started here must not hold its own cable.
+  SLIPSTICK_CHECK(board_ >= 0 && ::fcntl(board_, F_SETFD, FD_CLOEXEC) == 0);
+}
+
+void MockedPort::unplug() {
+  // One by one: what stands in /sys/bus of a device's children is not removed with it.
+  for (const char* below : {"/1-2:1.0/{0}/tty/{0}", "/1-2:1.0/{0}", "/1-2:1.0", ""}) {
+    const std::string device = fmt::format(fmt::runtime(below), name_);
+    umockdev_testbed_remove_device(testbed_.get(), (kUsbDevice + device).c_str());
+  }
+  // umockdev knows terminals by their numbers: the next must not get that of this one.
+  held_ = UniqueFd(::ioctl(board_, TIOCGPTPEER, O_RDWR | O_NOCTTY));
+  SLIPSTICK_CHECK(held_.get() >= 0);
+  ::close(board_);
+  board_ = -1;
 }
 
 int MockedPort::dtr_falls() {

@@ -5,10 +5,12 @@
 #include <memory>
 #include <string>
 
+#include "drivers/unique_fd.h"
+
 namespace slipstick::test {
 
-/// A serial port that this machine does not have: `/dev/ttyUSB0`, a CH340 with its USB device, and
-/// the other end of its cable. Only for programs under umockdev (see `mocked`).
+/// A serial port that this machine does not have: a CH340 with serial number A1B2 on a USB bus, and
+/// the other end of its cable. Only for programs under umockdev (see `mocked`), one at a time.
 class MockedPort {
  public:
   static constexpr const char* kPath = "/dev/ttyUSB0";
@@ -18,8 +20,12 @@ class MockedPort {
 
   MockedPort();
 
-  /// What the adapter does with the cable's bytes; valid as long as the port.
+  /// What the adapter does with the cable's bytes; valid while it is plugged in.
   [[nodiscard]] int board() const { return board_; }
+
+  void unplug();
+  /// It comes back as ttyUSB`number`. \pre unplugged.
+  void plug_in(int number);
 
   /// How often this process has switched DTR off.
   [[nodiscard]] static int dtr_falls();
@@ -29,7 +35,9 @@ class MockedPort {
     void operator()(UMockdevTestbed* testbed) const { g_object_unref(testbed); }
   };
   std::unique_ptr<UMockdevTestbed, Unref> testbed_;
-  int board_;
+  std::string name_;
+  int board_ = -1;
+  UniqueFd held_;  ///< The terminal that was unplugged.
 };
 
 }  // namespace slipstick::test

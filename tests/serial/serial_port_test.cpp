@@ -1,9 +1,7 @@
 // The serial port of a board behind a USB adapter, mocked by umockdev, with the simulated printer
 // at its other end.
 #include <asm/termbits.h>
-#include <poll.h>
 #include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <array>
 #include <catch2/catch.hpp>
@@ -13,13 +11,13 @@
 #include "drivers/serial_ports.h"
 #include "drivers/serial_transport.h"
 #include "host/stream_job.h"
-#include "sim/printer.h"
-#include "tests/serial/mocked_port.h"
+#include "tests/serial/board.h"
 #include "tests/support/live_printer.h"
 
 using namespace slipstick;
 using namespace std::chrono_literals;
 using Catch::Contains;
+using test::Board;
 using test::MockedPort;
 
 namespace {
@@ -35,38 +33,6 @@ termios2 settings_of(int terminal) {
   REQUIRE(::ioctl(terminal, TCGETS2, &settings) == 0);
   return settings;
 }
-
-/// A printer on the far side of the port, a hundred times as fast as a real one. A fall of DTR
-/// resets it.
-class Board {
- public:
-  Board(const MockedPort& port, Printer printer)
-      : fd_(port.board()), printer_(std::move(printer)), thread_([this](const auto& stop) {
-          while (!stop.stop_requested()) turn();
-        }) {}
-
- private:
-  void turn() {
-    if (MockedPort::dtr_falls() > falls_) printer_.reset();
-    falls_ = MockedPort::dtr_falls();
-    pollfd wait{fd_, POLLIN, 0};
-    ::poll(&wait, 1, 1);
-    printer_.advance(printer_.now() + 100ms);
-    std::array<char, 512> bytes{};
-    if ((wait.revents & POLLIN) != 0) {
-      const auto got = ::read(fd_, bytes.data(), bytes.size());
-      if (got > 0) printer_.receive({bytes.data(), static_cast<std::size_t>(got)}, printer_.now());
-      printer_.advance(printer_.now());
-    }
-    const std::size_t said = printer_.take(bytes);
-    if (said > 0) SLIPSTICK_CHECK(::write(fd_, bytes.data(), said) >= 0);
-  }
-
-  int fd_;
-  int falls_ = MockedPort::dtr_falls();
-  Printer printer_;
-  std::jthread thread_;
-};
 
 /// A host twenty times as hasty as a real one.
 class HastyClock final : public Clock {
@@ -129,7 +95,7 @@ TEST_CASE("A serial port that is closed keeps DTR, so that the next opening rese
 
 TEST_CASE("A print goes out over a serial port") {
   if (skipped()) return;
-  const MockedPort port;
+  MockedPort port;
   std::vector<test::Bead> beads;
   const auto program = test::quick_program(300);
   {
@@ -147,10 +113,11 @@ TEST_CASE("A print goes out over a serial port") {
 
 TEST_CASE("A board that answers nothing is reset by DTR, and then prints") {
   if (skipped()) return;
-  const MockedPort port;
+  MockedPort port;
   Printer halted({});
   halted.advance(1s);
   halted.kill();
+  for (std::array<char, 512> words{}; halted.take(words) > 0;) continue;  // nobody heard it
   const int falls = MockedPort::dtr_falls();
   const Board board(port, std::move(halted));
   const auto transport = open_serial(MockedPort::kPath, 115'200);

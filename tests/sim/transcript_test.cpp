@@ -131,7 +131,8 @@ constexpr const char* kMorePower = "a stuck heater there has half as much again 
 // That board's steps are signals, each armed when the last was served (Marlin 2.1.2, HAL/LINUX
 // Timer.cpp), so that what it is late by adds up: one and the same homing took it 15.25, 15.32,
 // 15.36, 15.39, 15.48 and 15.69 s in six dialogues.
-constexpr const char* kSlow = "the board lost 0.3 s, less than the 0.44 s by which its homing varies";
+constexpr const char* kSlow =
+    "the board lost 0.3 s, less than the 0.44 s by which its homing varies";
 constexpr const char* kChunks = "that board reads a whole line at a time, and flushes between";
 constexpr const char* kAhead = "the host went on before the ok had come";
 constexpr const char* kByte = "that bench harmed another byte of the line";
