@@ -30,7 +30,8 @@ class Pause {
   /// What is wished now. \return whether the print begins to be held, or begins to go on.
   bool heed(PrintControl::Wish wish, Manner manner = Manner::kPark);
 
-  /// `line` of the job is sent. \pre !holds().
+  /// `line` is sent: of the job, which it may be while nothing holds it, or one that leaves the
+  /// nozzle where it is.
   void follow(const Line& line) { tracker_.follow(line.text()); }
 
   /// What has to be sent before anything of the job; nothing if there is nothing (left).

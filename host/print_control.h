@@ -2,8 +2,13 @@
 
 #include <atomic>
 #include <cstdint>
+#include <deque>
 #include <functional>
+#include <mutex>
+#include <optional>
+#include <vector>
 
+#include "drivers/marlin/line.h"
 #include "drivers/marlin/sender_events.h"
 
 namespace slipstick {
@@ -37,6 +42,25 @@ class PrintControl {
   /// Kills the printer at once; only a reset wakes it.
   void emergency_stop() { raise(Wish::kEmergencyStop); }
 
+  /// Lines that may wait to be said.
+  static constexpr std::size_t kInterjectionsMax = 32;
+  /// `lines` go out before the next line of the job. \return false, and none does, if too many
+  /// wait. \pre each is an `interjection`.
+  bool interject(const std::vector<Line>& lines) {
+    const std::lock_guard lock(mutex_);
+    if (interjections_.size() + lines.size() > kInterjectionsMax) return false;
+    interjections_.insert(interjections_.end(), lines.begin(), lines.end());
+    return true;
+  }
+  /// Takes the first that waits.
+  [[nodiscard]] std::optional<Line> take_interjection() {
+    const std::lock_guard lock(mutex_);
+    if (interjections_.empty()) return std::nullopt;
+    std::optional<Line> line = std::move(interjections_.front());
+    interjections_.pop_front();
+    return line;
+  }
+
   [[nodiscard]] Wish wish() const { return wish_.load(); }
 
   void tell(const SenderEvent& event) const {
@@ -56,6 +80,8 @@ class PrintControl {
 
   const Listeners listeners_{};
   std::atomic<Wish> wish_{Wish::kRun};
+  std::mutex mutex_;  ///< Protects what follows.
+  std::deque<Line> interjections_;
 };
 
 }  // namespace slipstick

@@ -117,7 +117,7 @@ class Stream {
   void feed() {
     hungry_ = false;
     while (!ended_ && sender_.wants_line()) {
-      if (const auto line = pause_.next()) {
+      if (const auto line = unasked()) {
         sender_.push(*line, LineOwner::kHost);
         continue;
       }
@@ -131,6 +131,15 @@ class Stream {
       }
       feed_job();
     }
+  }
+
+  // A line that is none of the job's.
+  std::optional<Line> unasked() {
+    if (const auto line = pause_.next()) return line;
+    if (printer_holds_) return std::nullopt;
+    auto line = control_.take_interjection();
+    if (line) pause_.follow(*line);
+    return line;
   }
 
   void feed_job() {

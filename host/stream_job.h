@@ -55,7 +55,7 @@ struct StreamOutcome {
 /// The same, and does what `control` is asked for within 20 ms, in virtual time a quarter of a
 /// second; it pauses also while the terminal asks for it, and Ctrl-Z ends any pause. An emergency
 /// stop goes out before all that has not left this machine; where the printer does not confirm it,
-/// DTR resets the board.
+/// DTR resets the board. Interjections go out before the next line of the job, in pauses too.
 [[nodiscard]] Result<StreamOutcome> stream_job(Transport& transport, const Clock& clock,
                                                LineSource& source, const StreamOptions& options,
                                                PrintControl& control);

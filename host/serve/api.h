@@ -44,4 +44,8 @@ enum class QueuePlace : std::uint8_t {
 /// What a stream of events begins with.
 [[nodiscard]] HttpResponse get_events(const HttpRequest& request, Services& services);
 
+// api_adjust.cpp
+[[nodiscard]] HttpResponse adjust_printer(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse command_printer(const HttpRequest& request, Services& services);
+
 }  // namespace slipstick

@@ -23,6 +23,12 @@ namespace slipstick {
 [[nodiscard]] HttpResponse octo_job(const HttpRequest& request, Services& services);
 [[nodiscard]] HttpResponse octo_command(const HttpRequest& request, Services& services);
 
+// api_adjust.cpp
+[[nodiscard]] HttpResponse octo_printhead(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse octo_tool(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse octo_bed(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse octo_gcode(const HttpRequest& request, Services& services);
+
 // octoprint_files.cpp
 [[nodiscard]] HttpResponse octo_files(const HttpRequest& request, Services& services);
 [[nodiscard]] HttpResponse octo_file(const HttpRequest& request, Services& services);

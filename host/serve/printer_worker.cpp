@@ -78,6 +78,13 @@ bool PrinterWorker::resume() {
   return control && control->resume();
 }
 
+Result<void> PrinterWorker::interject(const std::vector<Line>& lines) {
+  const auto control = current();
+  if (!control) return fail(ErrorCode::kPrinter, "no print is under way");
+  if (control->interject(lines)) return {};
+  return fail(ErrorCode::kPrinter, "too many commands wait for the printer; try again later");
+}
+
 bool PrinterWorker::cancel(std::int64_t id) {
   const std::lock_guard lock(mutex_);
   if (!control_ || job_ != id) return false;

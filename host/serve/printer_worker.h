@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "host/resume_point.h"
 #include "host/serve/job_spec.h"
@@ -45,6 +46,9 @@ class PrinterWorker {
   bool pause();
   bool resume();
   bool cancel(std::int64_t id);
+  /// `lines` go out before the next one of the print under way. \pre each is an `interjection`.
+  /// \return kPrinter if there is no print, or too many lines wait.
+  [[nodiscard]] Result<void> interject(const std::vector<Line>& lines);
   /// Goes on with the print of job `id`, which was cut off. \return whether the printer is free.
   bool take_up(std::int64_t id, Consent consent);
   /// Kills the printer, whether it prints or not. \return why it could not be told.

@@ -80,6 +80,7 @@ function showStatus(next) {
   $('cancel').disabled = !next.job || next.state === 'ending';
   $('bed').disabled = !!next.job || !next.bed_occupied;
   $('bed-note').hidden = !!next.job || !next.bed_occupied;
+  $('adjust-form').hidden = !next.job;
 }
 
 function showHeat(heaters) {
@@ -176,6 +177,25 @@ async function follow() {
   }
 }
 
+const DIALS = {feed: ['feed', 1], flow: ['flow', 1], nozzle: ['nozzle', 1], 'bed-heat': ['bed', 1], fan: ['fan', 0.01]};
+
+// Whether it was taken.
+function adjust(change) {
+  return attempt(async () => {
+    await ask('POST', 'printer/adjust', JSON.stringify(change));
+    return true;
+  });
+}
+
+// What was filled in; fields left empty change nothing.
+async function adjustAll() {
+  const change = {};
+  for (const [id, [name, unit]] of Object.entries(DIALS)) {
+    if ($(id).value !== '') change[name] = $(id).valueAsNumber * unit;
+  }
+  if (await adjust(change)) $('adjust-form').reset();
+}
+
 function press(id, path) {
   $(id).addEventListener('click', () => attempt(() => ask('POST', path())));
 }
@@ -185,6 +205,12 @@ press('pause', () => 'printer/pause');
 press('resume', () => 'printer/resume');
 press('cancel', () => `jobs/${status.job.id}/cancel`);
 press('bed', () => 'printer/bed-cleared');
+$('adjust-form').addEventListener('submit', (event) => {
+  event.preventDefault();
+  adjustAll();
+});
+$('lower').addEventListener('click', () => adjust({z: -0.02}));
+$('higher').addEventListener('click', () => adjust({z: 0.02}));
 $('upload').addEventListener('change', () => upload($('upload').files));
 $('drop').addEventListener('dragover', (event) => {
   event.preventDefault();
