@@ -44,6 +44,7 @@ int main(int argc, char** argv) {
   add_verify_command(app, run);
   add_info_command(app, run);
   add_ports_command(app, run);
+  add_bench_command(app, run);
   add_serve_command(app, run);
   try {
     app.parse(argc, argv);

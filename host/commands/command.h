@@ -23,6 +23,7 @@ void add_sim_command(CLI::App& app, ChosenCommand& run);
 void add_verify_command(CLI::App& app, ChosenCommand& run);
 void add_info_command(CLI::App& app, ChosenCommand& run);
 void add_ports_command(CLI::App& app, ChosenCommand& run);
+void add_bench_command(CLI::App& app, ChosenCommand& run);
 void add_serve_command(CLI::App& app, ChosenCommand& run);
 
 }  // namespace slipstick

@@ -2,9 +2,10 @@
 
 #include "core/base/check.h"
 #include "host/layer_slicer.h"
+#include "host/process_memory.h"
 #include "host/slicing_job.h"
 #include "tests/bench/subjects.h"
-#include "tests/bench/targets/process_memory.h"
+#include "tests/bench/targets/child_process.h"
 #include "tests/bench/targets/targets.h"
 
 namespace slipstick::targets {

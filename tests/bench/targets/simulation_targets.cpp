@@ -6,11 +6,12 @@
 #include <string>
 
 #include "core/base/check.h"
+#include "host/process_memory.h"
 #include "host/slicing_job.h"
 #include "sim/deposit.h"
 #include "sim/printer.h"
 #include "tests/bench/subjects.h"
-#include "tests/bench/targets/process_memory.h"
+#include "tests/bench/targets/child_process.h"
 #include "tests/bench/targets/targets.h"
 
 namespace slipstick::targets {

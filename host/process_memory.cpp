@@ -1,0 +1,33 @@
+#include "host/process_memory.h"
+
+#include <malloc.h>
+
+#include <fstream>
+#include <string>
+
+namespace slipstick {
+namespace {
+
+// A line of /proc/self/status, in MB.
+double status_mb(const std::string& name) {
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;) {
+    double kib = 0;
+    if (word == name && status >> kib) return kib / 1024;
+  }
+  return 0;
+}
+
+}  // namespace
+
+double begin_peak_anew() {
+  ::malloc_trim(0);
+  std::ofstream("/proc/self/clear_refs") << 5;
+  return status_mb("VmRSS:");
+}
+
+double peak_mb() {
+  return status_mb("VmHWM:");
+}
+
+}  // namespace slipstick
