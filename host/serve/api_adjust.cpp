@@ -1,8 +1,11 @@
-// What is changed in a print under way: /api/v1/printer/adjust and commands, and OctoPrint's.
+// What is said to the printer, in a print and between prints: /api/v1/printer/adjust and commands,
+// and OctoPrint's.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "drivers/marlin/interjection.h"
@@ -24,13 +27,15 @@ constexpr std::array<std::pair<std::string_view, Dial>, 6> kDials{{
     {"fan", &Adjustment::fan},
 }};
 
-HttpResponse say(const Result<std::vector<Line>>& lines, Services& services) {
-  if (!lines) return error_response(lines.error());
-  const auto said = services.printer.interject(*lines);
+using Commands = std::vector<std::string>;
+
+HttpResponse say(const Result<Commands>& commands, Services& services) {
+  if (!commands) return error_response(commands.error());
+  const auto said = services.printer.say(*commands);
   return said ? empty_response() : error_response(said.error());
 }
 
-Result<std::vector<Line>> lines_of_json(const Json& json) {
+Result<Commands> adjustment(const Json& json) {
   if (!json.is_object()) return fail(ErrorCode::kInput, "the body must be a JSON object");
   Adjustment adjustment;
   for (const auto& [key, value] : json.items()) {
@@ -40,23 +45,25 @@ Result<std::vector<Line>> lines_of_json(const Json& json) {
     if (!value.is_number()) return fail(ErrorCode::kInput, key + ": must be a number");
     adjustment.*dial->second = value.get<double>();
   }
-  return lines_of(adjustment);
+  const auto lines = lines_of(adjustment);
+  if (!lines) return fail(lines.error());
+  Commands commands;
+  for (const Line& line : *lines) commands.push_back(line.text());
+  return commands;
 }
 
 // Each of `json`, an array of texts, or the one text that it is.
-Result<std::vector<Line>> commands_of(const Json& json) {
+Result<Commands> commands_of(const Json& json) {
   const Json list = json.is_string() ? Json::array({json}) : json;
   if (!list.is_array() || list.size() > PrintControl::kInterjectionsMax)
     return fail(ErrorCode::kInput, fmt::format("commands: must be an array of at most {} texts",
                                                PrintControl::kInterjectionsMax));
-  std::vector<Line> lines;
+  Commands commands;
   for (const Json& text : list) {
     if (!text.is_string()) return fail(ErrorCode::kInput, "commands: must be texts");
-    auto line = interjection(text.get_ref<const std::string&>());
-    if (!line) return fail(line.error());
-    lines.push_back(*std::move(line));
+    commands.push_back(text.get<std::string>());
   }
-  return lines;
+  return commands;
 }
 
 Json member(const Json& json, const char* key) {
@@ -70,17 +77,54 @@ Json percent(const Json& factor) {
 }
 
 HttpResponse adjust(const char* what, const Json& value, Services& services) {
-  return say(lines_of_json({{what, value}}), services);
+  return say(adjustment({{what, value}}), services);
 }
 
-HttpResponse cannot(std::string_view what) {
-  return error_response(409, fmt::format("{} would disturb the print", what));
+HttpResponse move(const Result<Commands>& commands, Services& services) {
+  if (services.board.get().job != 0) return error_response(409, "it would disturb the print");
+  return say(commands, services);
+}
+
+// Of {"x": 10}, as a relative move; at most so far as a bed is wide.
+Result<Commands> jog(const Json& json) {
+  constexpr double kFarthest = 500;  // mm
+  std::string words;
+  for (const char* axis : {"x", "y", "z"}) {
+    const Json way = member(json, axis);
+    if (way.is_null()) continue;
+    if (!way.is_number() || std::abs(way.get<double>()) > kFarthest)
+      return fail(ErrorCode::kInput, fmt::format("{}: must be a number up to {}", axis, kFarthest));
+    words += fmt::format(" {}{:.3f}", static_cast<char>(std::toupper(*axis)), way.get<double>());
+  }
+  if (words.empty()) return fail(ErrorCode::kInput, "x, y or z: how far to move, mm");
+  const double speed = json.value("speed", Json()).is_number() ? json["speed"].get<double>() : 1500;
+  return Commands{"G91", fmt::format("G0{} F{:.0f}", words, std::clamp(speed, 1.0, 30'000.0)),
+                  "G90"};
+}
+
+Result<Commands> home(const Json& json) {
+  const Json axes = member(json, "axes");
+  std::string line = "G28";
+  for (const Json& axis : axes.is_array() ? axes : Json::array()) {
+    if (axis != "x" && axis != "y" && axis != "z")
+      return fail(ErrorCode::kInput, "axes: must be of x, y and z");
+    line += fmt::format(" {}", static_cast<char>(std::toupper(axis.get<std::string>()[0])));
+  }
+  return Commands{line};
+}
+
+Result<Commands> extrude(const Json& json) {
+  constexpr double kMost = 100;  // mm of filament
+  const Json amount = member(json, "amount");
+  if (!amount.is_number() || std::abs(amount.get<double>()) > kMost)
+    return fail(ErrorCode::kInput, fmt::format("amount: must be a number up to {}", kMost));
+  return Commands{"M83", fmt::format("G1 E{:.3f} F300", amount.get<double>())};
 }
 
 }  // namespace
 
 HttpResponse adjust_printer(const HttpRequest& request, Services& services) {
-  return say(lines_of_json(Json::parse(request.body, nullptr, false)), services);
+  return say(adjustment(Json::parse(request.body, nullptr, false)), services);
 }
 
 HttpResponse command_printer(const HttpRequest& request, Services& services) {
@@ -92,7 +136,8 @@ HttpResponse octo_printhead(const HttpRequest& request, Services& services) {
   const Json json = Json::parse(request.body, nullptr, false);
   const Json command = member(json, "command");
   if (command == "feedrate") return adjust("feed", percent(member(json, "factor")), services);
-  if (command == "jog" || command == "home") return cannot("moving the head");
+  if (command == "jog") return move(jog(json), services);
+  if (command == "home") return move(home(json), services);
   return error_response(400, "command: jog, home or feedrate");
 }
 
@@ -105,7 +150,7 @@ HttpResponse octo_tool(const HttpRequest& request, Services& services) {
     if (targets.size() != 1) return error_response(400, "targets: there is one tool, tool0");
     return adjust("nozzle", member(targets, "tool0"), services);
   }
-  if (command == "extrude") return cannot("extruding");
+  if (command == "extrude") return move(extrude(json), services);
   return error_response(400, "command: target, flowrate or extrude");
 }
 

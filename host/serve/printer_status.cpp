@@ -39,6 +39,7 @@ Json to_json(const PrinterStatus& status) {
   Json json{{"state", name_of(status.activity)},
             {"message", status.message},
             {"firmware", status.firmware},
+            {"connected", status.connected},
             {"bed_occupied", status.bed_occupied},
             {"temperatures", status.temperatures ? to_json(*status.temperatures) : Json::object()},
             {"job", Json()}};

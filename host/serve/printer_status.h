@@ -30,6 +30,7 @@ struct PrinterStatus {
   double completion = 0;   ///< 0 to 1: of the layers, or of the bytes of a file.
   double seconds = 0;      ///< Since the job began.
   bool bed_occupied = false;
+  bool connected = false;  ///< Somebody talks with it, in a print or between prints.
 };
 
 [[nodiscard]] nlohmann::ordered_json to_json(const PrinterStatus& status);

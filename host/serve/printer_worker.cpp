@@ -4,14 +4,18 @@
 
 #include <ctime>
 
+#include "drivers/marlin/interjection.h"
 #include "drivers/marlin/safe_stop.h"
 #include "drivers/open_transport.h"
+#include "host/serve/idle_connection.h"
 #include "host/serve/print_task.h"
 
 namespace slipstick {
 namespace {
 
 constexpr std::chrono::seconds kTellPatience{5};
+/// Where the printer is not there, or does not answer.
+constexpr std::chrono::seconds kBetweenConnections{5};
 
 std::int64_t unix_now() {
   return static_cast<std::int64_t>(std::time(nullptr));
@@ -26,6 +30,14 @@ Result<void> tell_printer(const std::string& port, std::string_view bytes) {
   const auto transport = open_transport(*address);
   if (!transport) return fail(transport.error());
   return (*transport)->write_all(bytes, kTellPatience);
+}
+
+// Whatever has a place in a job may be said while there is none.
+Result<Line> line_of_job(std::string_view command) {
+  auto line = normalise(command);
+  if (!line) return fail(line.error());
+  if (!*line) return fail(ErrorCode::kInput, "there is no command in it");
+  return **std::move(line);
 }
 
 }  // namespace
@@ -55,6 +67,7 @@ PrinterWorker::~PrinterWorker() {
     const std::lock_guard lock(mutex_);
     stopping_ = true;
     if (control_) control_->cancel();
+    if (idle_) idle_->cancel();
   }
   changed_.notify_all();
   if (thread_.joinable()) thread_.join();
@@ -64,6 +77,7 @@ void PrinterWorker::wake() {
   {
     const std::lock_guard lock(mutex_);
     look_again_ = true;
+    left_alone_ = false;
   }
   changed_.notify_all();
 }
@@ -78,9 +92,16 @@ bool PrinterWorker::resume() {
   return control && control->resume();
 }
 
-Result<void> PrinterWorker::interject(const std::vector<Line>& lines) {
-  const auto control = current();
-  if (!control) return fail(ErrorCode::kPrinter, "no print is under way");
+Result<void> PrinterWorker::say(const std::vector<std::string>& commands) {
+  const std::lock_guard lock(mutex_);
+  const auto control = control_ ? control_ : idle_;
+  if (!control) return fail(ErrorCode::kPrinter, "no printer is connected");
+  std::vector<Line> lines;
+  for (const std::string& command : commands) {
+    auto line = control_ ? interjection(command) : line_of_job(command);
+    if (!line) return fail(line.error());
+    lines.push_back(*std::move(line));
+  }
   if (control->interject(lines)) return {};
   return fail(ErrorCode::kPrinter, "too many commands wait for the printer; try again later");
 }
@@ -93,7 +114,10 @@ bool PrinterWorker::cancel(std::int64_t id) {
 }
 
 Result<void> PrinterWorker::emergency_stop() {
-  const auto control = current();
+  const auto control = [this] {
+    const std::lock_guard lock(mutex_);
+    return control_ ? control_ : idle_;
+  }();
   if (!control) return tell_printer(options_.port, kEmergencyStop);
   control->emergency_stop();
   return {};
@@ -129,10 +153,71 @@ void PrinterWorker::run() {
 
 // False when the worker is to end.
 bool PrinterWorker::wait_for_work() {
+  const bool lost = may_connect() && !stay_idle();
   std::unique_lock lock(mutex_);
-  changed_.wait(lock, [this] { return look_again_ || stopping_; });
+  const auto called = [this] { return look_again_ || stopping_; };
+  if (lost) {
+    changed_.wait_for(lock, kBetweenConnections, called);
+  } else {
+    changed_.wait(lock, called);
+  }
   look_again_ = false;
   return !stopping_;
+}
+
+bool PrinterWorker::is_called() {
+  const std::lock_guard lock(mutex_);
+  return look_again_ || stopping_;
+}
+
+bool PrinterWorker::may_connect() {
+  const auto address = parse_transport_address(options_.port);
+  if (!address || address->kind == TransportKind::kSim) return false;
+  const auto cut_off = store_.print_is_cut_off();
+  const std::lock_guard lock(mutex_);
+  return cut_off && !*cut_off && !left_alone_ && !look_again_ && !stopping_;
+}
+
+// Until there is work. Whether the connection was there until then.
+Result<void> PrinterWorker::stay_idle() {
+  const auto transport = open_transport(*parse_transport_address(options_.port));
+  if (!transport) {
+    reporter_.connected(false, transport.error().message);
+    return fail(transport.error());
+  }
+  const auto control = begin_idle();
+  const auto how = stay_connected(**transport, *control, [this] { return is_called(); });
+  const bool stopped = end_idle();
+  // It may have been wished for when the last line had gone out.
+  if (stopped && how) return (*transport)->write_all(kEmergencyStop, kTellPatience);
+  const std::string message = how ? "" : how.error().message;
+  if (stopped || halted_) {
+    reporter_.job_ended(PrinterActivity::kStopped, message);
+  } else {
+    reporter_.connected(false, message);
+  }
+  return how;
+}
+
+std::shared_ptr<PrintControl> PrinterWorker::begin_idle() {
+  const std::lock_guard lock(mutex_);
+  idle_ = std::make_shared<PrintControl>(
+      PrintControl::Listeners{[this](const SenderEvent& event) { reporter_.heard(event); },
+                              [this](SenderState state, const SenderCounters&) {
+                                halted_ |= state == SenderState::kHalted;
+                                if (state == SenderState::kReady) reporter_.connected(true, "");
+                              }});
+  halted_ = false;
+  return idle_;
+}
+
+// Whether it was to be stopped at once.
+bool PrinterWorker::end_idle() {
+  const std::lock_guard lock(mutex_);
+  const auto wish = std::exchange(idle_, nullptr)->wish();
+  const bool stopped = wish == PrintControl::Wish::kEmergencyStop;
+  left_alone_ |= stopped || halted_;
+  return stopped;
 }
 
 // False if there is nothing to be printed now.
@@ -181,13 +266,24 @@ void PrinterWorker::print(const StoredJob& job, std::optional<Consent> take_up) 
   const bool refused = take_up && !came && came.error().code == ErrorCode::kInput;
   const Store::Ending came_to =
       refused ? Store::Ending{JobState::kInterrupted, came.error().message, ""} : ending(came);
-  const bool stopped =
-      over() == PrintControl::Wish::kEmergencyStop || came_to.state == JobState::kFailed;
+  const bool emergency = over() == PrintControl::Wish::kEmergencyStop;
+  const bool stopped = emergency || came_to.state == JobState::kFailed;
+  if (emergency) leave_alone(came.has_value());
   if (const auto ok = store_.end_job(job.id, came_to, unix_now()); !ok) {
     spdlog::error("job {}: {}", job.id, ok.error().message);
   }
   reporter_.job_ended(stopped ? PrinterActivity::kStopped : PrinterActivity::kIdle,
                       came_to.message);
+}
+
+// \param unheard the print was over when the emergency stop was wished for.
+void PrinterWorker::leave_alone(bool unheard) {
+  if (unheard) {
+    const auto told = tell_printer(options_.port, kEmergencyStop);
+    if (!told) spdlog::error("emergency stop: {}", told.error().message);
+  }
+  const std::lock_guard lock(mutex_);
+  left_alone_ = true;
 }
 
 Result<std::string> PrinterWorker::printed(const StoredJob& job, std::optional<Consent> take_up) {

@@ -19,6 +19,11 @@ namespace slipstick {
 /// The thread of one printer: takes jobs from the store, one at a time, and prints them. The next
 /// one waits until the bed is said to be clear.
 ///
+/// Between prints it stays connected, tries again where it cannot, and leaves the printer alone
+/// only where a connection would do harm: while a print that was cut off may be taken up, whose
+/// lines the board may still count, and after an emergency stop, until something is to be done.
+/// A simulated printer is there only while it prints.
+///
 /// Threads: requests by any thread.
 class PrinterWorker {
  public:
@@ -46,9 +51,10 @@ class PrinterWorker {
   bool pause();
   bool resume();
   bool cancel(std::int64_t id);
-  /// `lines` go out before the next one of the print under way. \pre each is an `interjection`.
-  /// \return kPrinter if there is no print, or too many lines wait.
-  [[nodiscard]] Result<void> interject(const std::vector<Line>& lines);
+  /// Each of `commands` is said to the printer, before the next line of a print.
+  /// \return kInput for what cannot be said: in a print, all that is no `interjection`; else what
+  /// has no place in a job. kPrinter if nobody is connected, or too much waits.
+  [[nodiscard]] Result<void> say(const std::vector<std::string>& commands);
   /// Goes on with the print of job `id`, which was cut off. \return whether the printer is free.
   bool take_up(std::int64_t id, Consent consent);
   /// Kills the printer, whether it prints or not. \return why it could not be told.
@@ -71,15 +77,24 @@ class PrinterWorker {
   PrintControl::Wish over();
   [[nodiscard]] std::shared_ptr<PrintControl> current();
   [[nodiscard]] bool wait_for_work();
+  [[nodiscard]] bool may_connect();
+  [[nodiscard]] Result<void> stay_idle();
+  [[nodiscard]] std::shared_ptr<PrintControl> begin_idle();
+  [[nodiscard]] bool end_idle();
+  void leave_alone(bool unheard);
+  [[nodiscard]] bool is_called();
 
   const Options options_;
   Store store_;              ///< The worker's own.
   StatusReporter reporter_;  ///< Likewise.
+  bool halted_ = false;      ///< Likewise: the printer has stopped itself between prints.
 
   std::mutex mutex_;  ///< Protects what follows.
   std::condition_variable changed_;
   std::shared_ptr<PrintControl> control_;  ///< Of the job under way.
   std::int64_t job_ = 0;
+  std::shared_ptr<PrintControl> idle_;  ///< Of the connection between prints.
+  bool left_alone_ = false;             ///< After an emergency stop.
   std::optional<TakingUp> take_up_;
   bool look_again_ = true;
   bool stopping_ = false;

@@ -17,6 +17,7 @@ std::string one_line(const nlohmann::ordered_json& json) {
 
 void StatusReporter::job_began(std::int64_t id, const std::string& file) {
   status_ = {PrinterActivity::kPrinting, "", status_.firmware, status_.temperatures, id, file};
+  status_.connected = true;
   status_.bed_occupied = true;
   began_ = SteadyTime::now();
   tell("state");
@@ -56,6 +57,7 @@ void StatusReporter::heard(const SenderEvent& event) {
 
 void StatusReporter::job_ended(PrinterActivity activity, const std::string& message) {
   status_.job = 0;
+  status_.connected = false;
   status_.activity = activity;
   status_.message = message;
   tell("state");
@@ -63,6 +65,14 @@ void StatusReporter::job_ended(PrinterActivity activity, const std::string& mess
 
 void StatusReporter::bed(bool occupied) {
   status_.bed_occupied = occupied;
+  tell("state");
+}
+
+void StatusReporter::connected(bool now, const std::string& message) {
+  if (status_.connected == now && (now || status_.message == message)) return;
+  status_.connected = now;
+  status_.message = message;
+  if (now) status_.activity = PrinterActivity::kIdle;
   tell("state");
 }
 

@@ -28,6 +28,8 @@ class StatusReporter {
   /// Says what the job came to; the printer is idle, or stopped for somebody to look at.
   void job_ended(PrinterActivity activity, const std::string& message);
   void bed(bool occupied);
+  /// Between prints. \param message why not, or empty.
+  void connected(bool now, const std::string& message);
 
  private:
   void set(PrinterActivity activity);

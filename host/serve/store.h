@@ -111,6 +111,9 @@ class Store {
   /// Printing to what it came to. The journal of a job that is done is removed.
   [[nodiscard]] Result<void> end_job(std::int64_t id, const Ending& ending, std::int64_t now);
 
+  /// Whether the last print was interrupted or failed, and may still be taken up: its printer may
+  /// count the print's lines yet.
+  [[nodiscard]] Result<bool> print_is_cut_off();
   /// Whether something lies on the bed that somebody must take off before the next print.
   [[nodiscard]] Result<bool> bed_occupied();
   /// No print can be taken up after that.

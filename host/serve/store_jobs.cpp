@@ -154,6 +154,15 @@ Result<void> Store::forget_old_jobs() {
   return {};
 }
 
+Result<bool> Store::print_is_cut_off() {
+  const auto rows = database_.query(
+      "SELECT bed_occupied = 1 AND EXISTS (SELECT 1 FROM jobs "
+      "WHERE state IN ('interrupted', 'failed') AND started = (SELECT max(started) FROM jobs)) "
+      "FROM printer");
+  if (!rows) return fail(rows.error());
+  return (*rows)[0].integer(0) != 0;
+}
+
 Result<bool> Store::bed_occupied() {
   const auto rows = database_.query("SELECT bed_occupied FROM printer");
   if (!rows) return fail(rows.error());

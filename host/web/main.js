@@ -72,7 +72,8 @@ function showJob(job) {
 
 function showStatus(next) {
   status = next;
-  $('state').textContent = next.message ? `${next.state}: ${next.message}` : next.state;
+  const state = next.state === 'idle' && next.connected ? 'connected' : next.state;
+  $('state').textContent = next.message ? `${state}: ${next.message}` : state;
   document.title = next.job ? `${Math.round(100 * next.job.completion)} % - slipstick` : 'slipstick';
   showJob(next.job);
   $('pause').disabled = next.state !== 'printing';
@@ -80,7 +81,9 @@ function showStatus(next) {
   $('cancel').disabled = !next.job || next.state === 'ending';
   $('bed').disabled = !!next.job || !next.bed_occupied;
   $('bed-note').hidden = !!next.job || !next.bed_occupied;
-  $('adjust-form').hidden = !next.job;
+  $('adjust-form').hidden = !next.job && !next.connected;
+  $('say-form').hidden = !next.job && !next.connected;
+  $('home').hidden = !!next.job;
 }
 
 function showHeat(heaters) {
@@ -187,6 +190,10 @@ function adjust(change) {
   });
 }
 
+function say(commands) {
+  return attempt(() => ask('POST', 'printer/commands', JSON.stringify({commands})));
+}
+
 // What was filled in; fields left empty change nothing.
 async function adjustAll() {
   const change = {};
@@ -209,6 +216,12 @@ $('adjust-form').addEventListener('submit', (event) => {
   event.preventDefault();
   adjustAll();
 });
+$('say-form').addEventListener('submit', (event) => {
+  event.preventDefault();
+  say([$('say').value]);
+  $('say').value = '';
+});
+$('home').addEventListener('click', () => say(['G28']));
 $('lower').addEventListener('click', () => adjust({z: -0.02}));
 $('higher').addEventListener('click', () => adjust({z: 0.02}));
 $('upload').addEventListener('change', () => upload($('upload').files));
