@@ -71,8 +71,12 @@ Result<LineSource*> JournalledPrint::begin(LineSource& source, const Clock& cloc
   } else {
     lines_.emplace(source);
   }
-  // Motors that are switched off because nobody prints for two minutes lose their place.
-  if (header_) options.first = {*Line::make("M84 S0")};
+  // Motors that are switched off because nobody prints for two minutes lose their place. What was
+  // said between prints, or changed in the last, is not meant for this one.
+  if (header_) {
+    for (const char* text : {"M84 S0", "G90", "M82", "M220 S100", "M221 S100"})
+      options.first.push_back(*Line::make(text));
+  }
   if (content_) {
     if (const auto ok = go_on(options); !ok) return fail(ok.error().within(path_.string()));
   }
@@ -128,8 +132,12 @@ void JournalledPrint::began(int layer, std::string_view program) {
 void JournalledPrint::ended(const Result<StreamOutcome>& outcome) {
   if (!journal_) return;
   if (outcome) journal_->ended(JournalEnd::kFinished);
-  if (!outcome && outcome.error().code == ErrorCode::kCancelled)
-    journal_->ended(JournalEnd::kStopped);
+  // Whatever else ends a print, a safe stop was sent.
+  const auto out_of_reach = [](ErrorCode code) {
+    return code == ErrorCode::kDisconnected || code == ErrorCode::kTimedOut ||
+           code == ErrorCode::kPrinter;
+  };
+  if (!outcome && !out_of_reach(outcome.error().code)) journal_->ended(JournalEnd::kStopped);
 }
 
 }  // namespace slipstick

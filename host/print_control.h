@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/result.h"
 #include "drivers/marlin/line.h"
 #include "drivers/marlin/sender_events.h"
 
@@ -44,13 +45,16 @@ class PrintControl {
 
   /// Lines that may wait to be said.
   static constexpr std::size_t kInterjectionsMax = 32;
-  /// `lines` go out before the next line of the job. \return false, and none does, if too many
-  /// wait. \pre each is an `interjection`.
-  bool interject(const std::vector<Line>& lines) {
+  /// `lines` go out before the next line of the job. \return kPrinter, and none does, if too many
+  /// wait, or if nobody would send them: before the printer is greeted, and behind the last line.
+  /// \pre each is an `interjection`, where there is a job.
+  [[nodiscard]] Result<void> interject(const std::vector<Line>& lines) {
     const std::lock_guard lock(mutex_);
-    if (interjections_.size() + lines.size() > kInterjectionsMax) return false;
+    if (!listens_) return fail(ErrorCode::kPrinter, "no printer is connected");
+    if (interjections_.size() + lines.size() > kInterjectionsMax)
+      return fail(ErrorCode::kPrinter, "too many commands wait for the printer; try again later");
     interjections_.insert(interjections_.end(), lines.begin(), lines.end());
-    return true;
+    return {};
   }
   /// Takes the first that waits.
   [[nodiscard]] std::optional<Line> take_interjection() {
@@ -60,6 +64,29 @@ class PrintControl {
     interjections_.pop_front();
     return line;
   }
+  /// Whoever prints sends interjections from now on.
+  void begin_listening() {
+    const std::lock_guard lock(mutex_);
+    listens_ = true;
+  }
+  /// No more are sent. \return false, and nothing changes, if some wait.
+  [[nodiscard]] bool end_listening() {
+    const std::lock_guard lock(mutex_);
+    if (!interjections_.empty()) return false;
+    listens_ = false;
+    return true;
+  }
+  /// No more are sent, and what waits is dropped.
+  void stop_listening() {
+    const std::lock_guard lock(mutex_);
+    listens_ = false;
+    interjections_.clear();
+  }
+
+  /// Whether somebody heeds wishes at once: not before the printer's port is open, nor while a
+  /// print waits for it to come back.
+  [[nodiscard]] bool is_heeded() const { return heeded_.load(); }
+  void heed(bool from_now_on) { heeded_ = from_now_on; }
 
   [[nodiscard]] Wish wish() const { return wish_.load(); }
 
@@ -80,8 +107,10 @@ class PrintControl {
 
   const Listeners listeners_{};
   std::atomic<Wish> wish_{Wish::kRun};
+  std::atomic<bool> heeded_{false};
   std::mutex mutex_;  ///< Protects what follows.
   std::deque<Line> interjections_;
+  bool listens_ = false;
 };
 
 }  // namespace slipstick

@@ -14,7 +14,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kVersion = 1;
+/// 1 counted lines of a file that are no longer sent (StatusPace).
+constexpr int kVersion = 2;
 constexpr std::size_t kSumSize = 9;  // '*' and eight digits
 constexpr std::size_t kOthersMax = 1'000'000;
 constexpr std::size_t kLayersMax = 1'000'000;
@@ -190,7 +191,8 @@ class Reader {
 };
 
 tl::unexpected<Error> no_journal() {
-  return fail(ErrorCode::kInput, "this is no journal of a print");
+  return fail(ErrorCode::kInput,
+              "this is no journal of a print, or one of another version of slipstick");
 }
 
 }  // namespace

@@ -38,11 +38,14 @@ const TransportAddress& ReturningPort::address() {
   return address_;
 }
 
+Error ReturningPort::met(Error error) const {
+  if (returns_ > 0 && error.code == ErrorCode::kUnavailable) error.code = ErrorCode::kDisconnected;
+  return error;
+}
+
 bool ReturningPort::lost(const Error& error) const {
   if (address_.kind == TransportKind::kSim || returns_ == kReturnsMax) return false;
-  // What is back may go again while it is opened and asked.
-  const bool again = returns_ > 0 && error.code == ErrorCode::kUnavailable;
-  return again || error.code == ErrorCode::kDisconnected;
+  return error.code == ErrorCode::kDisconnected;
 }
 
 bool ReturningPort::comes_back() {

@@ -42,6 +42,9 @@ class ReturningPort {
   /// Where to look for the printer. \return the address as it is to be opened now.
   [[nodiscard]] const TransportAddress& address();
 
+  /// What the opening of the port, or the first words over it, failed with: once it has come back
+  /// it may go again meanwhile, which is kDisconnected then.
+  [[nodiscard]] Error met(Error error) const;
   /// Whether `error` of an attempt means that the port is away.
   [[nodiscard]] bool lost(const Error& error) const;
 

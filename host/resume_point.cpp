@@ -102,7 +102,10 @@ Result<ResumeStart> go_on(const SessionProbe::Found& found, const JournalSession
   ResumeStart start;
   now.learn(found.position);
   start.sender.kept = KeptSession{found.last, now.place()};
-  if (std::ranges::none_of(tail, moves)) {
+  const PrintState& left = now.state();
+  const bool same_modes = left.relative == state.state().relative &&
+                          left.relative_extrusion == state.state().relative_extrusion;
+  if (same_modes && std::ranges::none_of(tail, moves)) {
     start.lines = heating_lines(state.state());
   } else {
     ParkingPlace from = place;

@@ -40,18 +40,28 @@ class Stream {
         clock_(clock),
         source_(source),
         pace_(options.pace),
+        idle_(options.idle),
         control_(control),
         listeners_(options.listeners),
         output_(transport, clock),
         pause_(options.parking, options.state, options.first),
         began_(clock.now()),
-        sender_(options.sender) {}
+        sender_(options.sender) {
+    control_.heed(true);
+  }
+  Stream(const Stream&) = delete;
+  Stream& operator=(const Stream&) = delete;
+  ~Stream() {
+    control_.heed(false);
+    control_.stop_listening();
+  }
 
   Result<StreamOutcome> run() {
     while (true) {
       heed_requests();
       if (const auto ok = feed_and_write(); !ok) return out_of_reach(ok.error());
       const SenderState state = sender_.state();
+      if (state == SenderState::kReady || state == SenderState::kPrinting) greeted();
       control_.tell(state, sender_.counters());
       if (listeners_.on_progress) listeners_.on_progress(state, sender_.counters());
       if (state == SenderState::kDone) break;
@@ -68,6 +78,10 @@ class Stream {
   }
 
  private:
+  void greeted() {
+    if (!std::exchange(greeted_, true) && !ended_) control_.begin_listening();
+  }
+
   void heed_requests() {
     const PrintControl::Wish wish = wished();
     if (wish == PrintControl::Wish::kEmergencyStop || Interrupt::urgent()) {
@@ -148,7 +162,7 @@ class Stream {
     if (*line) {
       pause_.follow(**line);
       sender_.push(std::move(**line));
-    } else {
+    } else if (control_.end_listening()) {
       ended_ = true;
       sender_.end_of_job();
     }
@@ -158,6 +172,7 @@ class Stream {
     if (failure_) return;
     failure_ = error;
     ended_ = true;
+    control_.stop_listening();
     stop_deadline_ = clock_.now() + kStopPatience;
     sender_.stop();
   }
@@ -209,7 +224,7 @@ class Stream {
 
   void heed(const PrinterWords::Heard& heard) {
     using enum PrinterWords::Wish;
-    if (ended_ || heard.wish == kNone) return;
+    if (ended_ || heard.wish == kNone || (idle_ && heard.wish != kEnd)) return;
     const bool alone = heard.wish == kWait && pace_ == Pace::kVirtual;
     if (heard.wish == kEnd || alone) return give_up({ErrorCode::kPrinter, heard.reason});
     if (heard.wish == kCancel) return give_up({ErrorCode::kCancelled, "cancelled at the printer"});
@@ -278,6 +293,7 @@ class Stream {
   const Clock& clock_;
   LineSource& source_;
   const Pace pace_;
+  const bool idle_;
   PrintControl& control_;
   const PrintControl::Listeners listeners_;
   OutputQueue output_;
@@ -291,6 +307,7 @@ class Stream {
   std::string last_message_;
   bool printer_holds_ = false;  ///< It has parked by itself and is to be left alone.
   bool held_by_terminal_ = false;
+  bool greeted_ = false;
   bool ended_ = false;
   bool killed_ = false;
   bool hungry_ = false;

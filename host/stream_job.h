@@ -27,6 +27,7 @@ struct StreamOptions {
   int journal = -1;           ///< Descriptor of a journal, for last words.
   PrintControl::Listeners listeners{};  ///< Who hears of it beside those of the control.
   std::vector<Line> first{};            ///< Sent before the source's, and not counted.
+  bool idle = false;  ///< There is no job: what would pause one is nobody's business.
 };
 
 struct StreamOutcome {

@@ -15,7 +15,7 @@
 namespace slipstick {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 using Dial = std::optional<double> Adjustment::*;
 constexpr std::array<std::pair<std::string_view, Dial>, 6> kDials{{
@@ -77,7 +77,7 @@ Json percent(const Json& factor) {
 }
 
 HttpResponse adjust(const char* what, const Json& value, Services& services) {
-  return say(adjustment({{what, value}}), services);
+  return say(adjustment(Json{{what, value}}), services);
 }
 
 HttpResponse move(const Result<Commands>& commands, Services& services) {
@@ -118,22 +118,22 @@ Result<Commands> extrude(const Json& json) {
   const Json amount = member(json, "amount");
   if (!amount.is_number() || std::abs(amount.get<double>()) > kMost)
     return fail(ErrorCode::kInput, fmt::format("amount: must be a number up to {}", kMost));
-  return Commands{"M83", fmt::format("G1 E{:.3f} F300", amount.get<double>())};
+  return Commands{"M83", fmt::format("G1 E{:.3f} F300", amount.get<double>()), "M82"};
 }
 
 }  // namespace
 
 HttpResponse adjust_printer(const HttpRequest& request, Services& services) {
-  return say(adjustment(Json::parse(request.body, nullptr, false)), services);
+  return say(adjustment(parse_json(request.body)), services);
 }
 
 HttpResponse command_printer(const HttpRequest& request, Services& services) {
-  const Json json = Json::parse(request.body, nullptr, false);
+  const Json json = parse_json(request.body);
   return say(commands_of(member(json, "commands")), services);
 }
 
 HttpResponse octo_printhead(const HttpRequest& request, Services& services) {
-  const Json json = Json::parse(request.body, nullptr, false);
+  const Json json = parse_json(request.body);
   const Json command = member(json, "command");
   if (command == "feedrate") return adjust("feed", percent(member(json, "factor")), services);
   if (command == "jog") return move(jog(json), services);
@@ -142,7 +142,7 @@ HttpResponse octo_printhead(const HttpRequest& request, Services& services) {
 }
 
 HttpResponse octo_tool(const HttpRequest& request, Services& services) {
-  const Json json = Json::parse(request.body, nullptr, false);
+  const Json json = parse_json(request.body);
   const Json command = member(json, "command");
   if (command == "flowrate") return adjust("flow", percent(member(json, "factor")), services);
   if (command == "target") {
@@ -155,13 +155,13 @@ HttpResponse octo_tool(const HttpRequest& request, Services& services) {
 }
 
 HttpResponse octo_bed(const HttpRequest& request, Services& services) {
-  const Json json = Json::parse(request.body, nullptr, false);
+  const Json json = parse_json(request.body);
   if (member(json, "command") == "target") return adjust("bed", member(json, "target"), services);
   return error_response(400, "command: target");
 }
 
 HttpResponse octo_gcode(const HttpRequest& request, Services& services) {
-  const Json json = Json::parse(request.body, nullptr, false);
+  const Json json = parse_json(request.body);
   const Json one = member(json, "command");
   return say(commands_of(one.is_null() ? member(json, "commands") : one), services);
 }

@@ -87,7 +87,7 @@ HttpResponse get_jobs(const HttpRequest&, Services& services) {
 }
 
 HttpResponse post_job(const HttpRequest& request, Services& services) {
-  const Json json = Json::parse(request.body, nullptr, false);
+  const Json json = parse_json(request.body);
   if (!json.is_object()) return error_response(400, "the body must be a JSON object");
   std::string name;
   Json spec = Json::object();
@@ -129,8 +129,7 @@ HttpResponse cancel_job(const HttpRequest& request, Services& services) {
 HttpResponse take_up_job(const HttpRequest& request, Services& services) {
   const auto id = id_of(request);
   if (!id) return no_such_job();
-  const Json json =
-      request.body.empty() ? Json::object() : Json::parse(request.body, nullptr, false);
+  const Json json = request.body.empty() ? Json::object() : parse_json(request.body);
   const bool fits = json.is_object() && json.size() == json.count("recover") &&
                     json.value("recover", Json(false)).is_boolean();
   if (!fits) return error_response(400, "the body is empty or {\"recover\": true or false}");

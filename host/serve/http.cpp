@@ -119,6 +119,18 @@ const std::string& HttpRequest::parameter(const std::string& name) const {
   return value_or_empty(parameters, name);
 }
 
+nlohmann::ordered_json parse_json(std::string_view text) {
+  using Json = nlohmann::ordered_json;
+  constexpr int kDepthMax = 32;
+  bool deep = false;
+  const auto keep = [&](int depth, Json::parse_event_t, Json&) {
+    deep |= depth > kDepthMax;
+    return !deep;
+  };
+  Json json = Json::parse(text, keep, false);
+  return deep ? Json(Json::value_t::discarded) : json;
+}
+
 HttpResponse json_response(const nlohmann::ordered_json& json, unsigned status) {
   // Texts of printers and files are not always UTF-8.
   return {status, "application/json",

@@ -62,6 +62,10 @@ struct HttpResponse {
   std::vector<std::pair<std::string, std::string>> headers = {};
 };
 
+/// The document in `text`; discarded if there is none, or one that is nested more deeply than any
+/// that is asked for: copying and writing it would recurse.
+[[nodiscard]] nlohmann::ordered_json parse_json(std::string_view text);
+
 /// 200 with a document, or `status`.
 [[nodiscard]] HttpResponse json_response(const nlohmann::ordered_json& json, unsigned status = 200);
 /// 204.

@@ -24,6 +24,7 @@ Result<void> stay_connected(Transport& transport, PrintControl& control,
   const SteadyClock clock;
   NoLinesUntil nothing(ended);
   StreamOptions options{.pace = Pace::kRealTime};
+  options.idle = true;
   // A printer that is mute would be greeted for a minute more.
   bool given_up = false;
   options.listeners.on_progress = [&](SenderState state, const SenderCounters&) {

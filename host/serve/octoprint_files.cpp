@@ -97,7 +97,7 @@ HttpResponse octo_upload(const HttpRequest& request, Services& services) {
 HttpResponse octo_select(const HttpRequest& request, Services& services) {
   const Named named = named_file(request, services.store);
   if (named.refusal) return *named.refusal;
-  const Json json = Json::parse(request.body, nullptr, false);
+  const Json json = parse_json(request.body);
   if (!json.is_object() || !json.contains("command") || json["command"] != "select") {
     return error_response(400, "command: select");
   }

@@ -134,7 +134,7 @@ HttpResponse octo_job(const HttpRequest&, Services& services) {
 }
 
 HttpResponse octo_command(const HttpRequest& request, Services& services) {
-  const Json json = Json::parse(request.body, nullptr, false);
+  const Json json = parse_json(request.body);
   const std::string command = text_of(json, "command", "");
   if (command == "start") return start_selected(services);
   if (command == "pause") return pause(text_of(json, "action", "toggle"), services);

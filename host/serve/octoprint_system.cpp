@@ -89,7 +89,7 @@ HttpResponse octo_connection(const HttpRequest&, Services& services) {
 
 // The printer is connected when there is something to print; nothing is to be done.
 HttpResponse octo_connect(const HttpRequest& request, Services& services) {
-  const Json json = Json::parse(request.body, nullptr, false);
+  const Json json = parse_json(request.body);
   const std::string command =
       json.is_object() && json.contains("command") ? json["command"].dump() : "";
   if (command == "\"connect\"" || command == "\"fake_ack\"") return empty_response();

@@ -106,9 +106,11 @@ class TaskRun {
 
   Result<void> connect(const PrinterSettings& printer) {
     auto link = open_printer(port_.address(), printer, watch_->sink());
-    if (!link) return fail(link.error());
+    if (!link) return fail(port_.met(link.error()));
     link_ = std::move(*link);
-    return journal_.find(*link_->transport, *link_->clock);
+    const auto found = journal_.find(*link_->transport, *link_->clock);
+    if (!found) return fail(port_.met(found.error()));
+    return {};
   }
 
   Result<void> stream(LineSource& source, const PrintSettings& settings) {

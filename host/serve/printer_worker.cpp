@@ -102,8 +102,7 @@ Result<void> PrinterWorker::say(const std::vector<std::string>& commands) {
     if (!line) return fail(line.error());
     lines.push_back(*std::move(line));
   }
-  if (control->interject(lines)) return {};
-  return fail(ErrorCode::kPrinter, "too many commands wait for the printer; try again later");
+  return control->interject(lines);
 }
 
 bool PrinterWorker::cancel(std::int64_t id) {
@@ -116,11 +115,15 @@ bool PrinterWorker::cancel(std::int64_t id) {
 Result<void> PrinterWorker::emergency_stop() {
   const auto control = [this] {
     const std::lock_guard lock(mutex_);
+    // What was asked for before must not wake the printer again.
+    left_alone_ = true;
+    look_again_ = false;
+    take_up_.reset();
     return control_ ? control_ : idle_;
   }();
-  if (!control) return tell_printer(options_.port, kEmergencyStop);
-  control->emergency_stop();
-  return {};
+  if (control) control->emergency_stop();
+  if (control && control->is_heeded()) return {};
+  return tell_printer(options_.port, kEmergencyStop);
 }
 
 bool PrinterWorker::take_up(std::int64_t id, Consent consent) {
@@ -129,6 +132,7 @@ bool PrinterWorker::take_up(std::int64_t id, Consent consent) {
     if (control_) return false;
     take_up_ = TakingUp{id, consent};
     look_again_ = true;
+    left_alone_ = false;
   }
   changed_.notify_all();
   return true;
@@ -180,7 +184,7 @@ bool PrinterWorker::may_connect() {
 
 // Until there is work. Whether the connection was there until then.
 Result<void> PrinterWorker::stay_idle() {
-  const auto transport = open_transport(*parse_transport_address(options_.port));
+  auto transport = open_transport(*parse_transport_address(options_.port));
   if (!transport) {
     reporter_.connected(false, transport.error().message);
     return fail(transport.error());
@@ -188,8 +192,8 @@ Result<void> PrinterWorker::stay_idle() {
   const auto control = begin_idle();
   const auto how = stay_connected(**transport, *control, [this] { return is_called(); });
   const bool stopped = end_idle();
-  // It may have been wished for when the last line had gone out.
-  if (stopped && how) return (*transport)->write_all(kEmergencyStop, kTellPatience);
+  transport->reset();
+  if (stopped) stop_again();
   const std::string message = how ? "" : how.error().message;
   if (stopped || halted_) {
     reporter_.job_ended(PrinterActivity::kStopped, message);
@@ -216,7 +220,7 @@ bool PrinterWorker::end_idle() {
   const std::lock_guard lock(mutex_);
   const auto wish = std::exchange(idle_, nullptr)->wish();
   const bool stopped = wish == PrintControl::Wish::kEmergencyStop;
-  left_alone_ |= stopped || halted_;
+  left_alone_ |= halted_;
   return stopped;
 }
 
@@ -268,7 +272,7 @@ void PrinterWorker::print(const StoredJob& job, std::optional<Consent> take_up) 
       refused ? Store::Ending{JobState::kInterrupted, came.error().message, ""} : ending(came);
   const bool emergency = over() == PrintControl::Wish::kEmergencyStop;
   const bool stopped = emergency || came_to.state == JobState::kFailed;
-  if (emergency) leave_alone(came.has_value());
+  if (emergency) stop_again();
   if (const auto ok = store_.end_job(job.id, came_to, unix_now()); !ok) {
     spdlog::error("job {}: {}", job.id, ok.error().message);
   }
@@ -276,14 +280,10 @@ void PrinterWorker::print(const StoredJob& job, std::optional<Consent> take_up) 
                       came_to.message);
 }
 
-// \param unheard the print was over when the emergency stop was wished for.
-void PrinterWorker::leave_alone(bool unheard) {
-  if (unheard) {
-    const auto told = tell_printer(options_.port, kEmergencyStop);
-    if (!told) spdlog::error("emergency stop: {}", told.error().message);
-  }
-  const std::lock_guard lock(mutex_);
-  left_alone_ = true;
+// An emergency stop may have been wished for when nobody heeded it any more; twice does no harm.
+void PrinterWorker::stop_again() const {
+  const auto told = tell_printer(options_.port, kEmergencyStop);
+  if (!told) spdlog::error("emergency stop: {}", told.error().message);
 }
 
 Result<std::string> PrinterWorker::printed(const StoredJob& job, std::optional<Consent> take_up) {
@@ -316,7 +316,7 @@ Store::Ending PrinterWorker::ending(const Result<std::string>& printed) {
 // Nothing if the worker is to end.
 std::shared_ptr<PrintControl> PrinterWorker::begin(std::int64_t id) {
   const std::lock_guard lock(mutex_);
-  if (stopping_) return nullptr;
+  if (stopping_ || left_alone_) return nullptr;
   job_ = id;
   control_ = std::make_shared<PrintControl>(
       PrintControl::Listeners{[this](const SenderEvent& event) { reporter_.heard(event); },

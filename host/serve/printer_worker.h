@@ -81,7 +81,7 @@ class PrinterWorker {
   [[nodiscard]] Result<void> stay_idle();
   [[nodiscard]] std::shared_ptr<PrintControl> begin_idle();
   [[nodiscard]] bool end_idle();
-  void leave_alone(bool unheard);
+  void stop_again() const;
   [[nodiscard]] bool is_called();
 
   const Options options_;

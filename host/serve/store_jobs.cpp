@@ -156,11 +156,13 @@ Result<void> Store::forget_old_jobs() {
 
 Result<bool> Store::print_is_cut_off() {
   const auto rows = database_.query(
-      "SELECT bed_occupied = 1 AND EXISTS (SELECT 1 FROM jobs "
-      "WHERE state IN ('interrupted', 'failed') AND started = (SELECT max(started) FROM jobs)) "
-      "FROM printer");
+      "SELECT id FROM jobs WHERE state IN ('interrupted', 'failed') "
+      "AND started = (SELECT max(started) FROM jobs) "
+      "AND (SELECT bed_occupied FROM printer) = 1");
   if (!rows) return fail(rows.error());
-  return (*rows)[0].integer(0) != 0;
+  return std::ranges::any_of(*rows, [this](const auto& row) {
+    return std::filesystem::exists(journal_of(row.integer(0)));
+  });
 }
 
 Result<bool> Store::bed_occupied() {

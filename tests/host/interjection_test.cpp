@@ -68,15 +68,20 @@ TEST_CASE("A line said in a print takes effect, and the print is what it would h
 
 TEST_CASE("No more lines wait to be said than were agreed, and they keep their order") {
   PrintControl control;
+  CHECK_FALSE(control.interject(heat_to(0)));  // nobody would send it
+  control.begin_listening();
   for (std::size_t i = 0; i < PrintControl::kInterjectionsMax; ++i) {
     CHECK(control.interject(heat_to(static_cast<int>(i))));
   }
   CHECK_FALSE(control.interject(heat_to(99)));
+  CHECK_FALSE(control.end_listening());
 
   for (std::size_t i = 0; i < PrintControl::kInterjectionsMax; ++i) {
     CHECK(control.take_interjection() == heat_to(static_cast<int>(i)).front());
   }
   CHECK(control.take_interjection() == std::nullopt);
+  CHECK(control.end_listening());
+  CHECK_FALSE(control.interject(heat_to(0)));
 }
 
 TEST_CASE("What is changed in a print over HTTP reaches the printer, by OctoPrint's words too") {

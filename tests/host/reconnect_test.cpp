@@ -76,6 +76,7 @@ TEST_CASE("Only a port that went away in a print is waited for") {
     CHECK_FALSE(missing.port.lost({code, ""}));
   }
   CHECK_FALSE(ReturningPort(address_of("sim:"), {}).lost({kLost, ""}));
+  CHECK(missing.port.met({ErrorCode::kUnavailable, ""}).code == ErrorCode::kUnavailable);
 }
 
 TEST_CASE("Without a journal nothing is attempted again") {
@@ -113,4 +114,6 @@ TEST_CASE("A port that comes back as often as it goes is given up at last") {
   CHECK_FALSE(done);
   CHECK(attempts == 1 + ReturningPort::kReturnsMax);
   CHECK(told == 2 * ReturningPort::kReturnsMax);
+  CHECK(port.met({ErrorCode::kUnavailable, ""}).code == kLost);
+  CHECK(port.met({ErrorCode::kInput, ""}).code == ErrorCode::kInput);
 }

@@ -154,7 +154,7 @@ TEST_CASE("A print cut off while it is parked, or on its way, comes back to wher
   const std::vector<std::string> program = test::spiral(GENERATE("M82", "M83"));
   const auto whole = expected(program);
 
-  for (int cut = 30; cut < 60; ++cut) {
+  for (int cut = 30; cut < 64; ++cut) {
     INFO("cut off at write " << cut);
     Bench bench(program);
     bench.pause_at(20, 30);

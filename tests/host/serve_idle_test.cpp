@@ -46,6 +46,9 @@ TEST_CASE("Between prints a printer is connected, heard, and told what is said, 
   CHECK(shop.nozzle_is_to_be(42));
   CHECK(shop.daemon.post("/api/printer/printhead", R"({"command": "jog", "x": 5})").status == 204);
   CHECK(shop.daemon.post("/api/printer/printhead", R"({"command": "jog"})").status == 400);
+  // Not done, as the nozzle is cold, which would pause a print.
+  CHECK(shop.daemon.post("/api/printer/tool", R"({"command": "extrude", "amount": 5})").status ==
+        204);
   CHECK(shop.say("M112") == 400);
   CHECK(shop.say("G1 X\u00fc") == 400);
 
@@ -84,6 +87,28 @@ TEST_CASE("An emergency stop between prints reaches the printer, which is left a
   CHECK(state["connected"] == false);
   CHECK_THAT(state["message"].get<std::string>(), Contains("emergency stop"));
   CHECK(shop.say("M104 S41") == 409);
+}
+
+TEST_CASE("A job that fails before it was sent leaves the printer in sight") {
+  Workshop shop;
+  static_cast<void>(shop.connected(true));
+  REQUIRE(shop.daemon.put("/api/v1/files/a.gcode", "G28\nM112\n").status == 201);
+
+  REQUIRE(shop.daemon.post("/api/v1/jobs", R"({"file": "a.gcode"})").status == 201);
+
+  CHECK(shop.events.wait_for_rest()["state"] == "stopped");
+  CHECK(shop.connected(true)["state"] == "idle");
+}
+
+TEST_CASE("Documents that are nested too deeply are refused wherever one is asked for") {
+  const test::RunningDaemon daemon;
+  const std::string deep = std::string(400'000, '[') + std::string(400'000, ']');
+  for (const char* path : {"/api/v1/printer/commands", "/api/v1/jobs", "/api/job",
+                           "/api/printer/command", "/api/v1/printer/adjust"}) {
+    CAPTURE(path);
+    CHECK(daemon.post(path, R"({"commands": )" + deep + "}").status == 400);
+    CHECK(daemon.post(path, deep).status == 400);
+  }
 }
 
 TEST_CASE("A printer that is not there is said to be missing, and does not hold the daemon up") {
