@@ -105,6 +105,8 @@ class TaskRun {
   }
 
   Result<void> connect(const PrinterSettings& printer) {
+    if (control_.wish() >= PrintControl::Wish::kCancel)
+      return fail(ErrorCode::kCancelled, "cancelled before it was sent anything");
     auto link = open_printer(port_.address(), printer, watch_->sink());
     if (!link) return fail(port_.met(link.error()));
     link_ = std::move(*link);

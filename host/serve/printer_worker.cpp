@@ -190,7 +190,8 @@ Result<void> PrinterWorker::stay_idle() {
     return fail(transport.error());
   }
   const auto control = begin_idle();
-  const auto how = stay_connected(**transport, *control, [this] { return is_called(); });
+  const SteadyClock clock;
+  const auto how = stay_connected(**transport, clock, *control, [this] { return is_called(); });
   const bool stopped = end_idle();
   transport->reset();
   if (stopped) stop_again();

@@ -220,7 +220,7 @@ TEST_CASE("A board that was reset is told again what the print has set up") {
 TEST_CASE("Power lost while the nozzle was parked leaves its height unknown: nothing moves") {
   Bench bench(test::spiral("M83"));
   bench.pause_at(30, kNever);
-  REQUIRE(!bench.start(40));
+  REQUIRE(!bench.start(44));
   bench.lose_power();
 
   const auto outcome = bench.resume(kNever, Consent::kRecover);

@@ -1,6 +1,8 @@
 // The printer of a daemon between prints.
 #include <catch2/catch.hpp>
 
+#include "host/serve/idle_connection.h"
+#include "sim/sim_transport.h"
 #include "tests/host/serve_fixture.h"
 #include "tests/support/live_printer.h"
 
@@ -87,6 +89,17 @@ TEST_CASE("An emergency stop between prints reaches the printer, which is left a
   CHECK(state["connected"] == false);
   CHECK_THAT(state["message"].get<std::string>(), Contains("emergency stop"));
   CHECK(shop.say("M104 S41") == 409);
+}
+
+TEST_CASE("A printer that falls silent between prints is not said to be there for ever") {
+  SimTransport sim(*sim_options({{"fault", "mute@line6"}}));
+  PrintControl control;
+
+  const auto how = stay_connected(sim, sim.clock(), control, [] { return false; });
+
+  REQUIRE_FALSE(how);
+  CHECK(how.error().code == ErrorCode::kPrinter);
+  CHECK(sim.clock().now() < std::chrono::minutes(10));
 }
 
 TEST_CASE("A job that fails before it was sent leaves the printer in sight") {
