@@ -35,19 +35,30 @@ constexpr std::array kDials{
 
 }  // namespace
 
-Result<Line> interjection(std::string_view text) {
+Result<Line> command_line(std::string_view text) {
   auto line = normalise(text);
   if (!line) return fail(line.error());
   if (!*line) return fail(ErrorCode::kInput, "there is no command in it");
-  const auto command = parse_gcode((*line)->text());
+  return **std::move(line);
+}
+
+Result<Line> interjection(std::string_view text) {
+  auto line = command_line(text);
+  if (!line) return line;
+  const auto command = parse_gcode(line->text());
   if (command && command->letter() == 'M' &&
       std::ranges::binary_search(kHarmlessM, command->code())) {
-    return **std::move(line);
+    return line;
   }
   return fail(ErrorCode::kInput,
               fmt::format("{}: only what neither moves nor waits can be said in a print, as M104, "
                           "M106, M117, M220 or M290",
-                          (*line)->text()));
+                          line->text()));
+}
+
+std::optional<double>* member_of(Adjustment& adjustment, std::string_view name) {
+  const auto dial = std::ranges::find(kDials, name, &Dial::name);
+  return dial == kDials.end() ? nullptr : &(adjustment.*dial->value);
 }
 
 Result<std::vector<Line>> lines_of(const Adjustment& adjustment) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -17,16 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-using Dial = std::optional<double> Adjustment::*;
-constexpr std::array<std::pair<std::string_view, Dial>, 6> kDials{{
-    {"feed", &Adjustment::feed},
-    {"flow", &Adjustment::flow},
-    {"z", &Adjustment::z},
-    {"nozzle", &Adjustment::nozzle},
-    {"bed", &Adjustment::bed},
-    {"fan", &Adjustment::fan},
-}};
-
 using Commands = std::vector<std::string>;
 
 HttpResponse say(const Result<Commands>& commands, Services& services) {
@@ -39,11 +28,10 @@ Result<Commands> adjustment(const Json& json) {
   if (!json.is_object()) return fail(ErrorCode::kInput, "the body must be a JSON object");
   Adjustment adjustment;
   for (const auto& [key, value] : json.items()) {
-    const auto dial =
-        std::ranges::find(kDials, key, [](const auto& d) { return std::string(d.first); });
-    if (dial == kDials.end()) return fail(ErrorCode::kInput, key + ": there is no such member");
+    std::optional<double>* const dial = member_of(adjustment, key);
+    if (dial == nullptr) return fail(ErrorCode::kInput, key + ": there is no such member");
     if (!value.is_number()) return fail(ErrorCode::kInput, key + ": must be a number");
-    adjustment.*dial->second = value.get<double>();
+    *dial = value.get<double>();
   }
   const auto lines = lines_of(adjustment);
   if (!lines) return fail(lines.error());

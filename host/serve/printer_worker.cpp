@@ -32,14 +32,6 @@ Result<void> tell_printer(const std::string& port, std::string_view bytes) {
   return (*transport)->write_all(bytes, kTellPatience);
 }
 
-// Whatever has a place in a job may be said while there is none.
-Result<Line> line_of_job(std::string_view command) {
-  auto line = normalise(command);
-  if (!line) return fail(line.error());
-  if (!*line) return fail(ErrorCode::kInput, "there is no command in it");
-  return **std::move(line);
-}
-
 }  // namespace
 
 Result<std::unique_ptr<PrinterWorker>> PrinterWorker::start(Options options, StatusBoard& board,
@@ -98,7 +90,7 @@ Result<void> PrinterWorker::say(const std::vector<std::string>& commands) {
   if (!control) return fail(ErrorCode::kPrinter, "no printer is connected");
   std::vector<Line> lines;
   for (const std::string& command : commands) {
-    auto line = control_ ? interjection(command) : line_of_job(command);
+    auto line = control_ ? interjection(command) : command_line(command);
     if (!line) return fail(line.error());
     lines.push_back(*std::move(line));
   }

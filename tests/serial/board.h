@@ -5,6 +5,8 @@
 
 #include <array>
 #include <atomic>
+#include <catch2/catch.hpp>
+#include <cstdlib>
 #include <thread>
 #include <utility>
 
@@ -13,6 +15,14 @@
 #include "tests/serial/mocked_port.h"
 
 namespace slipstick::test {
+
+/// Said of a program that was started by hand; ctest preloads the mock, and then it must be there.
+inline bool skipped() {
+  if (MockedPort::mocked()) return false;
+  REQUIRE(std::getenv("LD_PRELOAD") == nullptr);
+  WARN("skipped: run by ctest, which mocks a serial port");
+  return true;
+}
 
 /// A printer on the far side of a mocked port, a hundred times as fast as a real one. A fall of DTR
 /// resets it.

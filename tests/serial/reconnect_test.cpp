@@ -19,21 +19,17 @@ using test::MockedPort;
 
 namespace {
 
-bool skipped() {
-  if (MockedPort::mocked()) return false;
-  WARN("skipped: run by ctest, which mocks a serial port");
-  return true;
-}
-
 /// A print of 300 beads on a mocked board, in which somebody pulls the cable.
 class Print {
  public:
   using Deed = std::function<void(Board&)>;
 
-  Result<std::string> run(const Deed& at_line_150, const Deed& when_gone) {
+  Print() {
     std::ofstream file(model_);
     for (const std::string& line : program_) file << line << '\n';
-    file.close();
+  }
+
+  Result<std::string> run(const Deed& at_line_150, const Deed& when_gone) {
     bool pulled = false;
     PrintControl control({[&](const SenderEvent& event) {
                             const auto* message = std::get_if<MessageSeen>(&event);
@@ -53,9 +49,6 @@ class Print {
 
   /// The same by the command, in a process of its own.
   int run_command(const Deed& at_bead_100, const Deed& later) {
-    std::ofstream file(model_);
-    for (const std::string& line : program_) file << line << '\n';
-    file.close();
     ::setenv("ASAN_OPTIONS", "verify_asan_link_order=0", 1);
     test::ChildProcess print(
         {"print", model_, "--port", MockedPort::kPath, "--journal", journal_, "--json"});
@@ -95,7 +88,7 @@ class Print {
 }  // namespace
 
 TEST_CASE("A print whose cable is pulled goes on when it is back, on whatever port") {
-  if (skipped()) return;
+  if (test::skipped()) return;
   Print print;
 
   const auto done =
@@ -106,7 +99,7 @@ TEST_CASE("A print whose cable is pulled goes on when it is back, on whatever po
 }
 
 TEST_CASE("The print command tells how often the cable was put back") {
-  if (skipped()) return;
+  if (test::skipped()) return;
   Print print;
 
   const int status = print.run_command([](Board& board) { board.unplug(); },
@@ -118,7 +111,7 @@ TEST_CASE("The print command tells how often the cable was put back") {
 }
 
 TEST_CASE("A print whose board lost its power with the cable waits for consent") {
-  if (skipped()) return;
+  if (test::skipped()) return;
   Print print;
 
   const auto done = print.run([](Board& board) { board.unplug_and_switch_off(); },

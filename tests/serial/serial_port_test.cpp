@@ -22,12 +22,6 @@ using test::MockedPort;
 
 namespace {
 
-bool skipped() {
-  if (MockedPort::mocked()) return false;
-  WARN("skipped: run by ctest, which mocks a serial port");
-  return true;
-}
-
 termios2 settings_of(int terminal) {
   termios2 settings{};
   REQUIRE(::ioctl(terminal, TCGETS2, &settings) == 0);
@@ -49,7 +43,7 @@ Result<StreamOutcome> print(Transport& transport, const std::vector<std::string>
 }  // namespace
 
 TEST_CASE("A serial port is listed with its adapter, and found by it") {
-  if (skipped()) return;
+  if (test::skipped()) return;
   const MockedPort port;
 
   const auto ports = list_serial_ports();
@@ -64,7 +58,7 @@ TEST_CASE("A serial port is listed with its adapter, and found by it") {
 }
 
 TEST_CASE("A serial port is opened raw, at any baud rate") {
-  if (skipped()) return;
+  if (test::skipped()) return;
   for (const int baud : {115'200, 250'000, 1'000'000}) {
     INFO(baud);
     const MockedPort port;
@@ -81,7 +75,7 @@ TEST_CASE("A serial port is opened raw, at any baud rate") {
 }
 
 TEST_CASE("A serial port that is closed keeps DTR, so that the next opening resets no board") {
-  if (skipped()) return;
+  if (test::skipped()) return;
   const MockedPort port;
   const int falls = MockedPort::dtr_falls();
 
@@ -94,7 +88,7 @@ TEST_CASE("A serial port that is closed keeps DTR, so that the next opening rese
 }
 
 TEST_CASE("A print goes out over a serial port") {
-  if (skipped()) return;
+  if (test::skipped()) return;
   MockedPort port;
   std::vector<test::Bead> beads;
   const auto program = test::quick_program(300);
@@ -112,7 +106,7 @@ TEST_CASE("A print goes out over a serial port") {
 }
 
 TEST_CASE("A board that answers nothing is reset by DTR, and then prints") {
-  if (skipped()) return;
+  if (test::skipped()) return;
   MockedPort port;
   Printer halted({});
   halted.advance(1s);
@@ -130,7 +124,7 @@ TEST_CASE("A board that answers nothing is reset by DTR, and then prints") {
 }
 
 TEST_CASE("A port that is no serial port is refused by name") {
-  if (skipped()) return;
+  if (test::skipped()) return;
   const MockedPort port;
 
   const auto transport = open_serial("/dev/ttyUSB7", 115'200);
