@@ -42,6 +42,7 @@ int main(int argc, char** argv) {
   add_print_command(app, run, {argv + 1, argv + argc});
   add_sim_command(app, run);
   add_verify_command(app, run);
+  add_convert_command(app, run);
   add_info_command(app, run);
   add_ports_command(app, run);
   add_bench_command(app, run);

@@ -4,7 +4,9 @@
 
 #include <array>
 #include <charconv>
+#include <map>
 
+#include "core/solid/ldni.h"
 #include "host/config.h"
 
 namespace slipstick {
@@ -63,10 +65,29 @@ Result<void> apply_layers(std::string_view text, SlicingRequest& request) {
 
 }  // namespace
 
-void ModelOptions::add_to(CLI::App& app) {
+void add_mesh_options(CLI::App& app, LoadOptions& options) {
+  app.add_option(
+         "--winding", options.winding,
+         "of a mesh: nonzero (overlapping shells are one solid) or parity (overlaps are void)")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Winding>{
+          {"nonzero", Winding::kNonzero}, {"parity", Winding::kParity}}));
+  app.add_option("--resolution", options.resolution, "rays a side when a mesh becomes LDNI")
+      ->check(CLI::Range(LdniGrid::kResolutionMin, LdniGrid::kResolutionMax))
+      ->capture_default_str();
+}
+
+void add_bounds_option(CLI::App& app, std::vector<double>& bounds) {
   app.add_option("--bounds", bounds, "extent of a .vm model in its units: X0,Y0,Z0,X1,Y1,Z1")
       ->delimiter(',')
       ->expected(6);
+}
+
+void ModelOptions::add_to(CLI::App& app) {
+  app.add_option("--as", loading.as, "what a mesh is sliced as: mesh (exact), ldni or bsp")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, MeshAs>{
+          {"mesh", MeshAs::kMesh}, {"ldni", MeshAs::kLdni}, {"bsp", MeshAs::kBsp}}));
+  add_mesh_options(app, loading);
+  add_bounds_option(app, bounds);
   app.add_option("--units", units, "of the model: mm or inch")
       ->check(CLI::IsMember({"mm", "inch"}))
       ->capture_default_str();
@@ -78,15 +99,17 @@ void ModelOptions::add_to(CLI::App& app) {
       ->expected(3);
 }
 
+Result<void> apply_bounds(const std::vector<double>& bounds, LoadOptions& options) {
+  if (bounds.empty()) return {};
+  options.bounds = {{bounds[0], bounds[1], bounds[2]}, {bounds[3], bounds[4], bounds[5]}};
+  if (bounds[0] < bounds[3] && bounds[1] < bounds[4] && bounds[2] < bounds[5]) return {};
+  return fail(ErrorCode::kInput, "--bounds wants X0<X1, Y0<Y1 and Z0<Z1");
+}
+
 Result<LoadedModel> ModelOptions::load() const {
-  Box3 box{{-1, -1, -1}, {1, 1, 1}};
-  if (!bounds.empty()) {
-    box = {{bounds[0], bounds[1], bounds[2]}, {bounds[3], bounds[4], bounds[5]}};
-    if (!(bounds[0] < bounds[3] && bounds[1] < bounds[4] && bounds[2] < bounds[5])) {
-      return fail(ErrorCode::kInput, "--bounds wants X0<X1, Y0<Y1 and Z0<Z1");
-    }
-  }
-  return load_model(path, box);
+  LoadOptions options = loading;
+  if (const auto ok = apply_bounds(bounds, options); !ok) return fail(ok.error());
+  return load_model(path, options);
 }
 
 PlacementRequest ModelOptions::placement() const {

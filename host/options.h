@@ -14,6 +14,14 @@ namespace slipstick {
 /// \file
 /// Command-line options that several commands share, and what they come to.
 
+/// Adds `--winding` and `--resolution`.
+void add_mesh_options(CLI::App& app, LoadOptions& options);
+
+/// Adds `--bounds`.
+void add_bounds_option(CLI::App& app, std::vector<double>& bounds);
+/// What came of it. \return kInput unless they are six rising numbers or none.
+[[nodiscard]] Result<void> apply_bounds(const std::vector<double>& bounds, LoadOptions& options);
+
 /// A solid on the bed, from the options of `slice`, `print`, `info` and `verify`.
 struct ModelOptions {
   std::string path;
@@ -23,6 +31,7 @@ struct ModelOptions {
   std::vector<double> fit;
   std::vector<double> rotate;
   std::vector<double> direction;
+  LoadOptions loading;  ///< `bounds` in it is not used.
 
   /// Everything but the path, which each command names for itself.
   void add_to(CLI::App& app);

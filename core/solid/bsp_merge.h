@@ -1,10 +1,9 @@
 #pragma once
 
+#include "core/solid/boolean.h"
 #include "core/solid/bsp_tree.h"
 
 namespace slipstick {
-
-enum class Boolean : std::uint8_t { kUnion, kIntersection, kDifference };
 
 /// The tree of a Boolean operation: `b` is hung where a leaf of `a` does not decide, without the
 /// parts that miss that leaf's cell (Naylor, Amanatides, Thibault 1990).

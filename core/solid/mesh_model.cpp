@@ -7,6 +7,7 @@
 
 #include "core/base/check.h"
 #include "core/solid/mesh_model_intervals.h"
+#include "core/solid/mesh_model_section.h"
 
 namespace slipstick {
 namespace {
@@ -33,38 +34,16 @@ class MeshSolid final : public Solid {
 
   [[nodiscard]] std::unique_ptr<Section> section(double z) const override {
     std::vector<OutlineSegment> segments;
-    by_z_.for_each_near(z, [&](std::uint32_t i) { add_cut(segments, mesh_->triangles[i], z); });
+    by_z_.for_each_near(z, [&](std::uint32_t i) {
+      const auto& [a, b, c] = mesh_->triangles[i];
+      if (const auto cut = cut_of({vertices_[a], vertices_[b], vertices_[c]}, z)) {
+        segments.push_back(*cut);
+      }
+    });
     return std::make_unique<OutlineSection>(std::move(segments), winding_);
   }
 
  private:
-  // A triangle with vertices on both sides of the plane has one on its own, and two cut edges
-  // there.
-  void add_cut(std::vector<OutlineSegment>& segments, const TriangleMesh::Triangle& triangle,
-               double z) const {
-    std::array<Vec3, 3> p{};
-    std::array<bool, 3> above{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      p[i] = vertices_[triangle[i]];
-      above[i] = p[i].z > z;
-    }
-    if (above[0] == above[1] && above[1] == above[2]) return;
-    const std::size_t lone = above[1] == above[2] ? 0 : above[0] == above[2] ? 1 : 2;
-    const Vec2 a = cut(p[lone], p[(lone + 1) % 3], z);
-    const Vec2 b = cut(p[lone], p[(lone + 2) % 3], z);
-    // Seen from outside, the cut runs from a to b if the lone vertex is above, else back.
-    const int turn = above[lone] ? 1 : -1;
-    if (a.y < b.y) segments.push_back({a, b, turn});
-    if (b.y < a.y) segments.push_back({b, a, -turn});
-  }
-
-  // Always computed upwards, so that all triangles at an edge get the very same point.
-  static Vec2 cut(Vec3 p, Vec3 q, double z) {
-    const Vec3 low = p.z < q.z ? p : q, high = p.z < q.z ? q : p;
-    const double share = (z - low.z) / (high.z - low.z);
-    return {low.x + share * (high.x - low.x), low.y + share * (high.y - low.y)};
-  }
-
   std::shared_ptr<const TriangleMesh> mesh_;
   Winding winding_;
   std::vector<Vec3> vertices_;
@@ -138,13 +117,14 @@ std::string MeshModel::warning() const {
   return {};
 }
 
-Result<std::unique_ptr<MeshModel>> load_mesh_model(std::string_view bytes, std::string_view name) {
+Result<std::unique_ptr<MeshModel>> load_mesh_model(std::string_view bytes, std::string_view name,
+                                                   Winding winding) {
   const std::size_t dot = name.rfind('.');
   const std::string_view extension =
       dot == std::string_view::npos ? std::string_view{} : name.substr(dot + 1);
   auto mesh = read_mesh(bytes, extension);
   if (!mesh) return fail(mesh.error().within(name));
-  return std::make_unique<MeshModel>(*std::move(mesh));
+  return std::make_unique<MeshModel>(*std::move(mesh), winding);
 }
 
 }  // namespace slipstick

@@ -7,7 +7,7 @@
 
 #include "core/base/result.h"
 #include "core/formats/mesh.h"
-#include "core/solid/mesh_model_section.h"
+#include "core/solid/mesh_cut.h"
 #include "core/solid/mesh_orientation.h"
 #include "core/solid/solid.h"
 
@@ -30,6 +30,10 @@ class MeshModel final : public Model {
   [[nodiscard]] std::string_view kind() const override { return "mesh"; }
   [[nodiscard]] std::string size_text() const override;
 
+  /// As it counts: with faces turned round where they were.
+  [[nodiscard]] const TriangleMesh& mesh() const { return *mesh_; }
+  [[nodiscard]] Winding winding() const { return winding_; }
+
   /// Edges with an odd number of triangles: where parity leaks.
   [[nodiscard]] std::int64_t open_edges() const { return open_edges_; }
   /// Edges with more than two triangles.
@@ -51,7 +55,7 @@ class MeshModel final : public Model {
 
 /// Reads a mesh file; the extension of `name` says the format. \return kInput as `read_mesh`, with
 /// `name`.
-[[nodiscard]] Result<std::unique_ptr<MeshModel>> load_mesh_model(std::string_view bytes,
-                                                                 std::string_view name);
+[[nodiscard]] Result<std::unique_ptr<MeshModel>> load_mesh_model(
+    std::string_view bytes, std::string_view name, Winding winding = Winding::kNonzero);
 
 }  // namespace slipstick

@@ -18,26 +18,10 @@ bool crosses(const OutlineSegment& s, double y) {
   return s.low.y <= y && y < s.high.y;
 }
 
-// Clamped, so that a segment that lies beside a point is counted as lying beside it in spite of
-// rounding; `narrowed` relies on it.
-double crossing_x(const OutlineSegment& s, double y) {
-  const double share = (y - s.low.y) / (s.high.y - s.low.y);
-  const double x = s.low.x + share * (s.high.x - s.low.x);
-  return std::clamp(x, std::min(s.low.x, s.high.x), std::max(s.low.x, s.high.x));
-}
-
 }  // namespace
 
 OutlineSection::OutlineSection(std::vector<OutlineSegment> segments, Winding winding)
     : segments_(std::move(segments)), winding_(winding) {}
-
-int OutlineSection::counted(int turn) const {
-  return winding_ == Winding::kNonzero ? turn : 1;
-}
-
-bool OutlineSection::is_inside(int turns) const {
-  return winding_ == Winding::kNonzero ? turns != 0 : turns % 2 != 0;
-}
 
 void OutlineSection::classify(std::span<const double> xs, std::span<const double> ys,
                               std::span<std::uint8_t> inside) {
@@ -83,8 +67,8 @@ Section::Narrowed OutlineSection::narrowed(const Box2& box) {
   auto inner = std::make_unique<OutlineSection>(std::move(near), winding_);
   inner->left_ = left_;
   inner->leave_out(on_the_left, box);
-  const bool inside = is_inside(inner->turns_left_of(box.low.y));
-  const auto is_same = [&](const Step& step) { return is_inside(step.turns) == inside; };
+  const bool inside = is_inside(winding_, inner->turns_left_of(box.low.y));
+  const auto is_same = [&](const Step& step) { return is_inside(winding_, step.turns) == inside; };
   if (none && std::all_of(inner->left_.begin(), inner->left_.end(), is_same)) {
     return {inside ? Cover::kInside : Cover::kOutside, nullptr};
   }
@@ -101,8 +85,8 @@ void OutlineSection::leave_out(const std::vector<OutlineSegment>& segments, cons
   int before = 0;
   for (const Step& step : left_) change(step.y, step.turns - std::exchange(before, step.turns));
   for (const OutlineSegment& s : segments) {
-    change(s.low.y, counted(s.turn));
-    change(s.high.y, -counted(s.turn));
+    change(s.low.y, counted(winding_, s.turn));
+    change(s.high.y, -counted(winding_, s.turn));
   }
   std::sort(changes.begin(), changes.end(), [](const Step& a, const Step& b) { return a.y < b.y; });
   left_.clear();
@@ -184,13 +168,13 @@ void OutlineSection::find_changes(double y) {
             [](const Crossing& a, const Crossing& b) { return a.x < b.x; });
   row_.clear();
   int turns = turns_left_of(y);
-  bool inside = is_inside(turns);
+  bool inside = is_inside(winding_, turns);
   if (inside) row_.push_back(-std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < crossings_.size(); ++i) {
-    turns += counted(crossings_[i].turn);
+    turns += counted(winding_, crossings_[i].turn);
     if (i + 1 < crossings_.size() && crossings_[i + 1].x == crossings_[i].x) continue;
-    if (is_inside(turns) != inside) row_.push_back(crossings_[i].x);
-    inside = is_inside(turns);
+    if (is_inside(winding_, turns) != inside) row_.push_back(crossings_[i].x);
+    inside = is_inside(winding_, turns);
   }
 }
 

@@ -3,23 +3,11 @@
 #include <memory>
 #include <vector>
 
+#include "core/solid/mesh_cut.h"
 #include "core/solid/mesh_model_intervals.h"
 #include "core/solid/solid.h"
 
 namespace slipstick {
-
-/// A piece of a mesh's outline in a plane. \pre low.y < high.y.
-struct OutlineSegment {
-  Vec2 low;
-  Vec2 high;
-  int turn = 1;  ///< 1 where the outline runs upwards, -1 where it runs downwards.
-};
-
-/// Which crossings make a point inside: those at or to the left of it in its row.
-enum class Winding : std::uint8_t {
-  kNonzero,  ///< Where their turns do not add up to 0: overlapping shells are one solid.
-  kParity,   ///< Where their number is odd: overlaps are void, orientation does not matter.
-};
 
 /// The inside of an outline. A segment crosses the rows low.y <= y < high.y.
 class OutlineSection final : public Section {
@@ -49,10 +37,8 @@ class OutlineSection final : public Section {
     int turns;
   };
 
-  [[nodiscard]] int counted(int turn) const;
   [[nodiscard]] int turns_left_of(double y) const;
   void leave_out(const std::vector<OutlineSegment>& segments, const Box2& box);
-  [[nodiscard]] bool is_inside(int turns) const;
   void find_changes(double y);
   void find_row(double y);
   [[nodiscard]] bool contains(Vec2 p);

@@ -21,6 +21,7 @@ void add_slice_command(CLI::App& app, ChosenCommand& run);
 void add_print_command(CLI::App& app, ChosenCommand& run, const std::vector<std::string>& words);
 void add_sim_command(CLI::App& app, ChosenCommand& run);
 void add_verify_command(CLI::App& app, ChosenCommand& run);
+void add_convert_command(CLI::App& app, ChosenCommand& run);
 void add_info_command(CLI::App& app, ChosenCommand& run);
 void add_ports_command(CLI::App& app, ChosenCommand& run);
 void add_bench_command(CLI::App& app, ChosenCommand& run);

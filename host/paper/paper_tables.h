@@ -15,7 +15,7 @@ namespace slipstick {
 
 /// What a table of theirs is about.
 enum class PaperTable : std::uint8_t {
-  kLdni = 1,  ///< Layered depth-normal images; here the meshes that they are made from.
+  kLdni = 1,  ///< Layered depth-normal images.
   kBsp = 2,
   kRbf = 3,
 };
@@ -35,6 +35,9 @@ struct PaperRow {
 
   std::string_view stand_in;      ///< A file; empty: the script `kTrussScript`.
   bool lies_on_its_back = false;  ///< y is up in the file.
+
+  int rays = 0;          ///< Of the images, a side.
+  double ray_width = 0;  ///< in: between them.
 };
 
 /// In the order of the paper.

@@ -147,7 +147,7 @@ Result<PreparedModel> prepare_model(const std::string& path, const std::string& 
                                     const JobSpec& spec, SliceGoal goal) {
   auto settings = load_settings(spec.settings);
   if (!settings) return fail(settings.error());
-  const auto loaded = load_model(path, spec.bounds);
+  const auto loaded = load_model(path, {.bounds = spec.bounds});
   if (!loaded) return fail(loaded.error().within(name));
   const PrinterSettings& printer = settings->printer;
   auto placed = place_on_bed(*loaded->model, spec.placement, bed_centre(printer));

@@ -62,7 +62,7 @@ std::shared_ptr<const Solid> lua_solid(std::string_view script) {
 }
 
 std::shared_ptr<const Solid> vm_solid(const std::string& path, double size) {
-  const auto loaded = load_model(path, {{-1, -1, -1}, {1, 1, 1}});
+  const auto loaded = load_model(path, {});
   SLIPSTICK_CHECK(loaded.has_value());
   PlacementRequest request;
   request.scale = size / 2;

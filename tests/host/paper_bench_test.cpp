@@ -27,6 +27,8 @@ PaperRow small_row(PaperTable table, std::string_view stand_in) {
   row.size = {0.2, 0.3, 0.2};
   row.sampling = 5e-3;
   row.stand_in = stand_in;
+  row.rays = 75;
+  row.ray_width = 4.5e-3;
   return row;
 }
 

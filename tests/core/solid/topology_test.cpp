@@ -5,6 +5,8 @@
 
 #include "core/solid/bsp_build.h"
 #include "core/solid/bsp_model.h"
+#include "core/solid/ldni_build.h"
+#include "core/solid/ldni_model.h"
 #include "core/solid/mesh_model.h"
 #include "core/solid/rbf_fit.h"
 #include "tests/support/shapes.h"
@@ -47,6 +49,19 @@ TEST_CASE("Slices of a mesh and of its tree have its components, tunnels and cav
     auto tree = bsp_of(mesh);
     REQUIRE(tree);
     check(**BspModel::of(*std::move(tree)), shape, directions_of(which++));
+  }
+}
+
+TEST_CASE(
+    "Slices of layered depth-normal images have the mesh's components, tunnels and cavities") {
+  for (const Shape& shape : shapes()) {
+    const MeshModel mesh(mesh_of(shape, 16));
+    // As the paper has it, rays stand closer than nodes.
+    const auto grid = LdniGrid::around(mesh.bounds_under({}), 96);
+    REQUIRE(grid);
+    auto images = ldni_of(mesh, *grid);
+    REQUIRE(images);
+    check(LdniModel(std::move(images->ldni)), shape, kDirections);
   }
 }
 
