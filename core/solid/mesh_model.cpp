@@ -102,19 +102,25 @@ std::string MeshModel::size_text() const {
 }
 
 std::string MeshModel::warning() const {
+  std::vector<std::string> parts;
   if (!closed()) {
     const std::int64_t edges = open_edges_ > 0 ? open_edges_ : orientation_.unbalanced;
-    return fmt::format("not closed: {} boundary edges, the inside may leak; repair the mesh",
-                       edges);
+    parts.push_back(fmt::format(
+        "not closed: {} boundary edges, the inside may leak; repair the mesh or use --as ldni",
+        edges));
+  }
+  if (orientation_.copies > 0) {
+    parts.push_back(fmt::format("{} faces are there more than once", orientation_.copies));
   }
   if (orientation_.turned > 0) {
-    return fmt::format("{} faces were inside out and have been turned", orientation_.turned);
+    parts.push_back(
+        fmt::format("{} faces were inside out and have been turned", orientation_.turned));
   }
-  if (winding_ == Winding::kNonzero && non_manifold_edges_ > 0) {
-    return fmt::format("{} edges have more than two faces; overlaps count as solid",
-                       non_manifold_edges_);
+  if (parts.empty() && winding_ == Winding::kNonzero && non_manifold_edges_ > 0) {
+    parts.push_back(fmt::format("{} edges have more than two faces; overlaps count as solid",
+                                non_manifold_edges_));
   }
-  return {};
+  return fmt::format("{}", fmt::join(parts, "; "));
 }
 
 Result<std::unique_ptr<MeshModel>> load_mesh_model(std::string_view bytes, std::string_view name,

@@ -1,6 +1,7 @@
 #include "core/solid/mesh_orientation.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -95,15 +96,47 @@ std::int64_t turn_minorities(TriangleMesh& mesh, const std::vector<Side>& sides)
   return turned;
 }
 
+// The mesh with one triangle, the first, of those with the same corners.
+TriangleMesh without_copies(const TriangleMesh& mesh) {
+  const auto corners = [&](std::uint32_t triangle) {
+    TriangleMesh::Triangle t = mesh.triangles[triangle];
+    std::sort(t.begin(), t.end());
+    return t;
+  };
+  std::vector<std::uint32_t> order(mesh.triangles.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return std::pair(corners(a), a) < std::pair(corners(b), b);
+  });
+  std::vector<bool> is_copy(order.size());
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    is_copy[order[i]] = corners(order[i]) == corners(order[i - 1]);
+  }
+  TriangleMesh result{mesh.vertices, {}};
+  for (std::size_t t = 0; t < order.size(); ++t) {
+    if (!is_copy[t]) result.triangles.push_back(mesh.triangles[t]);
+  }
+  return result;
+}
+
+// Unless more edges would be unbalanced. \return How many.
+std::int64_t leave_out_copies(TriangleMesh& mesh, std::int64_t unbalanced) {
+  TriangleMesh single = without_copies(mesh);
+  const auto copies = std::ssize(mesh.triangles) - std::ssize(single.triangles);
+  if (copies == 0 || unbalanced_edges(sorted_sides(single)) > unbalanced) return 0;
+  mesh = std::move(single);
+  return copies;
+}
+
 }  // namespace
 
 Orientation orient(TriangleMesh& mesh) {
   Orientation result;
-  const std::vector<Side> sides = sorted_sides(mesh);
-  result.unbalanced = unbalanced_edges(sides);
+  result.unbalanced = unbalanced_edges(sorted_sides(mesh));
   if (result.unbalanced == 0) return result;
-  result.turned = turn_minorities(mesh, sides);
-  if (result.turned > 0) result.unbalanced = unbalanced_edges(sorted_sides(mesh));
+  result.copies = leave_out_copies(mesh, result.unbalanced);
+  result.turned = turn_minorities(mesh, sorted_sides(mesh));
+  result.unbalanced = unbalanced_edges(sorted_sides(mesh));
   return result;
 }
 
