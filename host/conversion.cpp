@@ -64,8 +64,7 @@ class Converter {
       images = merged(*images, request_.operation, *more);
     }
     if (!images) return fail(images.error());
-    std::string bytes = write_ldni(*images);
-    return done(std::move(bytes), LdniModel(*std::move(images)));
+    return done(write_ldni(*images), "ldni", size_text_of(*images));
   }
 
   Result<Conversion> to_bsp() {
@@ -79,7 +78,7 @@ class Converter {
     std::string bytes = write_bsp(*tree);
     const auto model = BspModel::of(*std::move(tree));
     if (!model) return fail(model.error());
-    return done(std::move(bytes), **model);
+    return done(std::move(bytes), (*model)->kind(), (*model)->size_text());
   }
 
   Result<Conversion> to_rbf() {
@@ -92,7 +91,7 @@ class Converter {
       return no_way(operands_.first, ".rbf",
                     "points with normals (.xyz, .pwn, .ply without faces)");
     }
-    return done(write_rbf(*model), *model);
+    return done(write_rbf(*model), model->kind(), model->size_text());
   }
 
  private:
@@ -108,10 +107,10 @@ class Converter {
   Result<Ldni> images_on(const LoadedModel& loaded, const LdniGrid& grid) {
     if (const Ldni* images = images_of(loaded)) return *images;
     if (const auto* mesh = dynamic_cast<const MeshModel*>(loaded.model.get())) {
-      auto made = ldni_model(*mesh, grid);
+      auto made = ldni_of(*mesh, grid);
       if (!made) return fail(made.error().within(loaded.name));
-      warn(loaded.name, made->warning);
-      return made->model->ldni();
+      warn(loaded.name, warning_of(made->mended));
+      return std::move(made->ldni);
     }
     auto sampled = ldni_by_sampling(*loaded.model, grid);
     if (!sampled) return fail(sampled.error().within(loaded.name));
@@ -137,8 +136,8 @@ class Converter {
     if (!warning.empty()) warnings_.push_back(name + ": " + warning);
   }
 
-  Conversion done(std::string bytes, const Model& model) {
-    return {std::move(bytes), std::string(model.kind()), model.size_text(), std::move(warnings_)};
+  Conversion done(std::string bytes, std::string_view kind, std::string size_text) {
+    return {std::move(bytes), std::string(kind), std::move(size_text), std::move(warnings_)};
   }
 
   const ConversionRequest& request_;

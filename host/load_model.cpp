@@ -55,9 +55,10 @@ Result<LoadedModel> load_mesh(std::string_view bytes, const std::string& name,
     case MeshAs::kLdni:
       break;
   }
-  auto images = ldni_model(**mesh, options.resolution);
-  if (!images) return fail(images.error().within(name));
-  return LoadedModel{std::move(images->model), name, joined(warning, images->warning)};
+  auto made = ldni_around(**mesh, options.resolution);
+  if (!made) return fail(made.error().within(name));
+  return LoadedModel{std::make_unique<LdniModel>(std::move(made->ldni)), name,
+                     joined(warning, warning_of(made->mended))};
 }
 
 bool is_one_of(std::string_view kind, std::initializer_list<std::string_view> kinds) {

@@ -6,7 +6,6 @@
 #include "core/base/result.h"
 #include "core/solid/bsp_model.h"
 #include "core/solid/ldni_build.h"
-#include "core/solid/ldni_model.h"
 #include "core/solid/mesh_model.h"
 
 namespace slipstick {
@@ -17,13 +16,10 @@ namespace slipstick {
 /// \return kInput as `bsp_of`. The inside is by parity.
 [[nodiscard]] Result<std::unique_ptr<BspModel>> bsp_model(const MeshModel& mesh);
 
-struct LdniLoaded {
-  std::unique_ptr<LdniModel> model;
-  std::string warning;  ///< Empty, or what was mended.
-};
+/// The images of a mesh, around it. \return kInput as `LdniGrid::around` and `ldni_of`.
+[[nodiscard]] Result<LdniOfMesh> ldni_around(const MeshModel& mesh, int resolution);
 
-/// \return kInput as `LdniGrid::around` and `ldni_of`.
-[[nodiscard]] Result<LdniLoaded> ldni_model(const MeshModel& mesh, int resolution);
-[[nodiscard]] Result<LdniLoaded> ldni_model(const MeshModel& mesh, const LdniGrid& grid);
+/// One line for the user if rays were mended, else empty.
+[[nodiscard]] std::string warning_of(const LdniMended& mended);
 
 }  // namespace slipstick

@@ -44,8 +44,11 @@ Result<LdniGrid> LdniGrid::of(int resolution, double width, Vec3 origin) {
     return fail(ErrorCode::kInput, fmt::format("a resolution of {} rays a side is not in {}..{}",
                                                resolution, kResolutionMin, kResolutionMax));
   }
-  const double far = std::max({std::abs(origin.x), std::abs(origin.y), std::abs(origin.z)});
-  if (!(width > 0) || !(width <= kFarthest) || !(far <= kFarthest) || !(far / width <= kFarthest)) {
+  const auto is_near = [&](double c) {
+    return std::abs(c) <= kFarthest && std::abs(c) / width <= kFarthest;
+  };
+  if (!(width > 0 && width <= kFarthest) || !is_near(origin.x) || !is_near(origin.y) ||
+      !is_near(origin.z)) {
     return fail(ErrorCode::kInput,
                 fmt::format("rays {} apart with their origin at {}, {}, {} are no grid", width,
                             origin.x, origin.y, origin.z));

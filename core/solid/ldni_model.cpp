@@ -83,7 +83,10 @@ std::shared_ptr<const Solid> LdniModel::placed(const Affine3& map) const {
 }
 
 std::string LdniModel::size_text() const {
-  const Ldni& ldni = parts_->ldni;
+  return size_text_of(parts_->ldni);
+}
+
+std::string size_text_of(const Ldni& ldni) {
   return fmt::format("{0} x {0} rays an axis, {1} samples", ldni.grid().resolution(),
                      ldni.samples());
 }

@@ -31,4 +31,7 @@ class LdniModel final : public Model {
   std::shared_ptr<const Parts> parts_;
 };
 
+/// "1000 x 1000 rays an axis, 812345 samples"
+[[nodiscard]] std::string size_text_of(const Ldni& ldni);
+
 }  // namespace slipstick

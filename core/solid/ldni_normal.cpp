@@ -9,7 +9,8 @@ namespace slipstick {
 std::optional<LdniNormal> LdniNormal::of(Vec3 direction) {
   const double largest =
       std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
-  if (!(largest > 0) || !std::isfinite(largest)) return {};
+  const double sum = direction.x + direction.y + direction.z;  // NaN if one of them is
+  if (!(largest > 0) || !std::isfinite(sum)) return {};
   const auto whole = [&](double v) {
     return static_cast<int>(std::lround(v / largest * kLargest));
   };

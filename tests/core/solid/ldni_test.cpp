@@ -275,3 +275,37 @@ TEST_CASE("Boolean operations on rays are those on points, and undo each other")
   REQUIRE(!refused);
   CHECK(refused.error().message.find("one grid") != std::string::npos);
 }
+
+TEST_CASE("What is no grid, no normal and no image is refused") {
+  const double nan = std::nan("");
+  CHECK(!LdniGrid::of(1, 1, {}));
+  CHECK(!LdniGrid::of(4096, 1, {}));
+  CHECK(!LdniGrid::of(8, 0, {}));
+  CHECK(!LdniGrid::of(8, nan, {}));
+  CHECK(!LdniGrid::of(8, 1, {0, nan, 0}));
+  CHECK(!LdniGrid::of(8, 1, {0, 0, -2e9}));
+  CHECK(!LdniGrid::around({}, 100));
+  CHECK(!LdniNormal::of({0, 0, 0}));
+  CHECK(!LdniNormal::of({1, nan, 0}));
+  CHECK(!LdniNormal::from_word(0));
+  CHECK(LdniNormal::from_word(LdniNormal::of({1, -2, 0.5})->word()) == LdniNormal::of({2, -4, 1}));
+
+  const auto grid = LdniGrid::of(2, 1, {});
+  REQUIRE(grid);
+  const auto with_first_ray = [&](std::vector<std::uint32_t> depths) {
+    LdniAxes axes;
+    for (LdniRays& rays : axes) rays.first.assign(grid->rays() + 1, 0);
+    for (const std::uint32_t depth : depths) axes[1].samples.push_back({depth, {}});
+    for (std::size_t ray = 1; ray <= grid->rays(); ++ray) {
+      axes[1].first[ray] = static_cast<std::uint32_t>(depths.size());
+    }
+    return Ldni::of(*grid, std::move(axes));
+  };
+  CHECK(with_first_ray({}));
+  CHECK(with_first_ray({1, 2}));
+  CHECK(!with_first_ray({1}));
+  CHECK(!with_first_ray({2, 1}));
+  CHECK(!with_first_ray({1, 1}));
+  CHECK(!with_first_ray({1, 2 * LdniGrid::kUnits}));
+  CHECK(with_first_ray({1, 2 * LdniGrid::kUnits - 1}));
+}
