@@ -33,13 +33,15 @@ Result<LoadedModel> loaded(Result<std::unique_ptr<Model>> model, std::string nam
 Result<LoadedModel> load_model(const std::filesystem::path& path, const Box3& bounds) {
   const std::string kind = lower(path.extension().string());
   const std::string name = path.filename().string();
-  const bool is_mesh = kind == ".stl" || kind == ".obj" || kind == ".ply" || kind == ".off";
+  const bool is_mesh =
+      kind == ".stl" || kind == ".obj" || kind == ".ply" || kind == ".off" || kind == ".3mf";
   const bool is_points = kind == ".xyz" || kind == ".pwn";
   if (!is_mesh && !is_points && kind != ".lua" && kind != ".vm" && kind != ".bsp" &&
       kind != ".rbf") {
-    return fail(ErrorCode::kInput, fmt::format("{}: unknown kind of model; .lua, .vm, .bsp, .rbf, "
-                                               ".stl, .obj, .ply, .off, .xyz and .pwn can be read",
-                                               path.string()));
+    return fail(ErrorCode::kInput,
+                fmt::format("{}: unknown kind of model; .lua, .vm, .bsp, .rbf, "
+                            ".stl, .obj, .ply, .off, .3mf, .xyz and .pwn can be read",
+                            path.string()));
   }
   const auto bytes = read_file(path);
   if (!bytes) return fail(bytes.error());

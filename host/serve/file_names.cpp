@@ -9,8 +9,8 @@ namespace slipstick {
 namespace {
 
 constexpr std::array<std::string_view, 3> kGcode{".gcode", ".gco", ".g"};
-constexpr std::array<std::string_view, 10> kModels{".lua", ".vm",  ".bsp", ".rbf", ".stl",
-                                                   ".obj", ".ply", ".off", ".xyz", ".pwn"};
+constexpr std::array<std::string_view, 11> kModels{".lua", ".vm",  ".bsp", ".rbf", ".stl", ".obj",
+                                                   ".ply", ".off", ".3mf", ".xyz", ".pwn"};
 
 template <std::size_t kCount>
 bool among(const std::array<std::string_view, kCount>& words, std::string_view word) {

@@ -192,7 +192,7 @@ TEST_CASE("Elements, properties and vertices that are not needed are dropped") {
 TEST_CASE("A file that is no mesh says what is wrong") {
   using Catch::Contains;
 
-  CHECK_THAT(error_of("solid", "step"), Contains("no mesh format; use stl, obj, ply or off"));
+  CHECK_THAT(error_of("solid", "step"), Contains("no mesh format; use stl, obj, ply, off or 3mf"));
   CHECK_THAT(error_of("", "ply"), Contains("does not begin with \"ply\""));
   CHECK_THAT(error_of("", "off"), Contains("expected \"OFF\""));
   CHECK_THAT(error_of("", "stl"), Contains("is not readable as stl"));
