@@ -7,6 +7,7 @@
 #include "core/formats/mesh_3mf.h"
 #include "core/formats/mesh_assimp.h"
 #include "core/formats/mesh_build.h"
+#include "core/formats/mesh_obj.h"
 #include "core/formats/mesh_off.h"
 #include "core/formats/mesh_ply.h"
 
@@ -25,7 +26,8 @@ Result<TriangleMesh> read_raw(std::string_view bytes, const std::string& extensi
   if (extension == "ply") return read_ply(bytes);
   if (extension == "off") return read_off(bytes);
   if (extension == "3mf") return read_3mf(bytes);
-  if (extension == "stl" || extension == "obj") return read_with_assimp(bytes, extension);
+  if (extension == "obj") return read_obj(bytes);
+  if (extension == "stl") return read_with_assimp(bytes, extension);
   return fail(ErrorCode::kInput,
               fmt::format("\"{}\" is no mesh format; use stl, obj, ply, off or 3mf", extension));
 }

@@ -9,7 +9,7 @@
 
 using namespace slipstick;
 
-// assimp 5.2.5 leaks the scene of an OBJ file that it refuses.
+// assimp 5.2.5 leaks the scene of an STL file that it refuses.
 // NOLINTNEXTLINE: the name is the sanitizer's
 extern "C" const char* __lsan_default_suppressions() {
   return "leak:libassimp";
