@@ -107,8 +107,8 @@ class Search {
       const auto ball = ball_between({first->at, -1.0 * first->normal}, *last);
       auto& known = best(asked[i]);
       if (!ball || (known && ball->diameter >= known->mm)) continue;
-      if (ball->squared_cosine < kParallel && !holds(*ball, asked[i], *first, *last, probe))
-        continue;
+      const bool parallel = ball->squared_cosine >= kParallel;
+      if (!parallel && !holds(*ball, asked[i], *first, *last, probe)) continue;
       known = ThinPlace{ball->diameter, back(ball->centre)};
     }
   }
@@ -162,8 +162,7 @@ Result<void> look_along(Search& search, const Solid& solid, const Box3& box, int
 
 std::optional<double> FeatureSizes::radius() const {
   if (!feature && !gap) return {};
-  const double least = std::min(feature ? feature->mm : gap->mm, gap ? gap->mm : feature->mm);
-  return least / 2;
+  return std::min(feature ? feature->mm : gap->mm, gap ? gap->mm : feature->mm) / 2;
 }
 
 std::optional<double> FeatureSizes::sampling_limit() const {

@@ -14,10 +14,14 @@ namespace slipstick {
 /// An estimate from sections along three axes, evenly spaced. Along every row and column of nodes,
 /// what lies between two changes of side is a chord; where the surfaces at its ends face each other
 /// (region/facing.h), what fits between them is exact for plates, rods and balls at any angle,
-/// since places and normals are found between the nodes. Seen is what a row or column of some
-/// section meets: surely what is three steps thick and reaches from one section to the next. Edges
-/// and wedges, where the strict r is 0, have no thickness of their own and do not count, but for
-/// wedges sharper than 4 degrees; where one begins at a plate, it may look a tenth thinner.
+/// since places and normals are found between the nodes.
+///
+/// - Seen is what a row or column of some section meets: surely a plate of a step, or a rod of
+///   three, that reaches from one section to the next. Where thickness changes from place to place,
+///   the thinnest place is as a rule between two sections, and what is found a little thicker.
+/// - Sides count up to 15 degrees from parallel, more between sides a few steps apart. Edges, and
+///   wedges, which have no thickness of their own, are left out; those sharper than 4 degrees are
+///   not told from plates, and a plate that ends in one may look a tenth thinner.
 
 /// Chords that are looked at in one section, evenly chosen by length if there are more.
 inline constexpr std::size_t kFeatureChordsMax = 512;

@@ -107,8 +107,8 @@ void print_sizes(const ModelFacts& facts, std::optional<double> sampling) {
   fmt::print("smallest feature: {}\nsmallest gap: {}\n", text_of(sizes.feature),
              text_of(sizes.gap));
   fmt::print(
-      "  (estimated from {} sections with nodes {:.3g} mm apart, from the middle of the bed; "
-      "finer ones are not seen)\n",
+      "  (places from the middle of the bed; estimated from {} sections, nodes {:.2g} mm "
+      "apart: what is finer is not seen)\n",
       sizes.sections, sizes.step);
   fmt::print("recommended sampling: {} mm\n", recommended);
   const double judged = sampling.value_or(recommended);

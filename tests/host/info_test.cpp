@@ -79,7 +79,7 @@ TEST_CASE("The sampling recommended is fine enough for what was found") {
   // No lattice is finer than that of 16,384 nodes a side, and 0.01 mm.
   CHECK(info_json("box(10, 10, 0.02)").at("recommended_sampling") == 0.01);
   CHECK_THAT(info("box(10, 10, 0.02)", {}).out,
-             Contains("sampling 0.01 mm is too coarse: it must be below 0.00577 mm"));
+             Contains("sampling 0.01 mm is too coarse: it must be below 0.0057"));
 }
 
 TEST_CASE("An empty solid has no thickness, and a sampling has a range") {
