@@ -59,6 +59,7 @@ std::vector<double> halved(Section& section, std::vector<SurfaceBracket> bracket
     }
   }
   std::vector<double> middles;
+  middles.reserve(brackets.size());
   for (const SurfaceBracket& b : brackets) middles.push_back(middle(b));
   return middles;
 }
