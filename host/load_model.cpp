@@ -70,13 +70,13 @@ bool is_one_of(std::string_view kind, std::initializer_list<std::string_view> ki
 Result<LoadedModel> load_model(const std::filesystem::path& path, const LoadOptions& options) {
   const std::string kind = lower(path.extension().string());
   const std::string name = path.filename().string();
-  bool is_mesh = is_one_of(kind, {".stl", ".obj", ".ply", ".off"});
+  bool is_mesh = is_one_of(kind, {".stl", ".obj", ".ply", ".off", ".3mf"});
   const bool is_points = is_one_of(kind, {".xyz", ".pwn"});
   if (!is_mesh && !is_points &&
       !is_one_of(kind, {".lua", ".vm", ".ldni", ".lda", ".bsp", ".rbf"})) {
     return fail(ErrorCode::kInput,
                 fmt::format("{}: unknown kind of model; .lua, .vm, .ldni, .lda, .bsp, .rbf, .stl, "
-                            ".obj, .ply, .off, .xyz and .pwn can be read",
+                            ".obj, .ply, .off, .3mf, .xyz and .pwn can be read",
                             path.string()));
   }
   const auto bytes = read_file(path);

@@ -4,8 +4,10 @@
 
 #include <string>
 
+#include "core/formats/mesh_3mf.h"
 #include "core/formats/mesh_assimp.h"
 #include "core/formats/mesh_build.h"
+#include "core/formats/mesh_obj.h"
 #include "core/formats/mesh_off.h"
 #include "core/formats/mesh_ply.h"
 
@@ -23,9 +25,11 @@ std::string lower_case(std::string_view text) {
 Result<TriangleMesh> read_raw(std::string_view bytes, const std::string& extension) {
   if (extension == "ply") return read_ply(bytes);
   if (extension == "off") return read_off(bytes);
-  if (extension == "stl" || extension == "obj") return read_with_assimp(bytes, extension);
+  if (extension == "3mf") return read_3mf(bytes);
+  if (extension == "obj") return read_obj(bytes);
+  if (extension == "stl") return read_with_assimp(bytes, extension);
   return fail(ErrorCode::kInput,
-              fmt::format("\"{}\" is no mesh format; use stl, obj, ply or off", extension));
+              fmt::format("\"{}\" is no mesh format; use stl, obj, ply, off or 3mf", extension));
 }
 
 }  // namespace

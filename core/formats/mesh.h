@@ -10,7 +10,7 @@
 
 namespace slipstick {
 
-/// Triangles over shared vertices, in the file's own units.
+/// Triangles over shared vertices, in the file's own units; of 3MF, in millimetres.
 struct TriangleMesh {
   using Triangle = std::array<std::uint32_t, 3>;
 
@@ -25,7 +25,7 @@ inline constexpr std::size_t kMeshElementsMax = std::size_t{1} << 26;
 /// Coordinates beyond this are taken for damage.
 inline constexpr double kMeshCoordinateMax = 1e9;
 
-/// Reads STL, OBJ, PLY or OFF, text or binary, by `extension` ("stl", any case).
+/// Reads STL, OBJ, PLY, OFF or 3MF, text or binary, by `extension` ("stl", any case).
 ///
 /// Vertices of equal coordinates are one vertex, every vertex is used, every coordinate is finite,
 /// no triangle uses a vertex twice and there is at least one triangle. Polygons become fans, which

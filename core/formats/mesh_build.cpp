@@ -92,8 +92,9 @@ Result<TriangleMesh> cleaned(const TriangleMesh& raw) {
     return welded[index];
   };
   for (const auto& [a, b, c] : raw.triangles) {
-    const TriangleMesh::Triangle t{weld(a), weld(b), weld(c)};
-    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) mesh.triangles.push_back(t);
+    const Vec3 p = raw.vertices[a], q = raw.vertices[b], r = raw.vertices[c];
+    if (p == q || q == r || r == p) continue;  // before its other vertices are taken for used
+    mesh.triangles.push_back({weld(a), weld(b), weld(c)});
   }
   if (mesh.triangles.empty()) {
     return fail(ErrorCode::kInput, "has no faces other than degenerate ones; export it again");

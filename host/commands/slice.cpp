@@ -135,7 +135,7 @@ void add_slice_command(CLI::App& app, ChosenCommand& run) {
   const auto command = std::make_shared<SliceCommand>();
   CLI::App* sub = app.add_subcommand("slice", "slice a model into G-code, contours or pictures");
   sub->add_option("model", command->model.path,
-                  "the model: .lua .vm .ldni .lda .bsp .rbf .stl .obj .ply .off .xyz .pwn")
+                  "the model: .lua .vm .ldni .lda .bsp .rbf .stl .obj .ply .off .3mf .xyz .pwn")
       ->required();
   sub->add_option("-o,--output", command->outputs,
                   "FILE.gcode, .jsonl, .svg, .png, or - for G-code on standard output; repeatable")

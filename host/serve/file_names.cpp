@@ -9,8 +9,9 @@ namespace slipstick {
 namespace {
 
 constexpr std::array<std::string_view, 3> kGcode{".gcode", ".gco", ".g"};
-constexpr std::array<std::string_view, 12> kModels{".lua", ".vm",  ".ldni", ".lda", ".bsp", ".rbf",
-                                                   ".stl", ".obj", ".ply",  ".off", ".xyz", ".pwn"};
+constexpr std::array<std::string_view, 13> kModels{".lua", ".vm",  ".ldni", ".lda", ".bsp",
+                                                   ".rbf", ".stl", ".obj",  ".ply", ".off",
+                                                   ".3mf", ".xyz", ".pwn"};
 
 template <std::size_t kCount>
 bool among(const std::array<std::string_view, kCount>& words, std::string_view word) {

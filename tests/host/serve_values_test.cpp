@@ -75,8 +75,8 @@ TEST_CASE("A file name is one that no file system is troubled by") {
 }
 
 TEST_CASE("Whatever may be uploaded as a model is a kind that can be read") {
-  for (const char* kind :
-       {"lua", "vm", "ldni", "lda", "bsp", "rbf", "stl", "obj", "ply", "off", "xyz", "pwn"}) {
+  for (const char* kind : {"lua", "vm", "ldni", "lda", "bsp", "rbf", "3mf", "stl", "obj", "ply",
+                           "off", "xyz", "pwn"}) {
     const std::string name = std::string("nowhere.") + kind;
     REQUIRE(FileName::from(name));
 

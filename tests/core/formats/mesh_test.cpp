@@ -175,6 +175,15 @@ TEST_CASE("Lines may end as on Windows") {
   CHECK(read_mesh(text, "ply"));
 }
 
+TEST_CASE("Faces of an OBJ count from either end, and lines go on behind a backslash") {
+  const auto mesh = read_mesh(
+      "v 0 0 0 1.0 # weight\nv 1 0 0\nv 0 \\\n1 0\nf -3/1/1 2//1 \\\r\n3\nv 9 9 9\nl 1 2\n", "obj");
+
+  REQUIRE(mesh);
+  CHECK(mesh->vertices == std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  CHECK(mesh->triangles == std::vector<TriangleMesh::Triangle>{{0, 1, 2}});
+}
+
 TEST_CASE("Elements, properties and vertices that are not needed are dropped") {
   const std::string ply =
       "ply\nformat ascii 1.0\nelement tag 1\nproperty list uchar float notes\nelement vertex 4\n"
@@ -192,11 +201,13 @@ TEST_CASE("Elements, properties and vertices that are not needed are dropped") {
 TEST_CASE("A file that is no mesh says what is wrong") {
   using Catch::Contains;
 
-  CHECK_THAT(error_of("solid", "step"), Contains("no mesh format; use stl, obj, ply or off"));
+  CHECK_THAT(error_of("solid", "step"), Contains("no mesh format; use stl, obj, ply, off or 3mf"));
   CHECK_THAT(error_of("", "ply"), Contains("does not begin with \"ply\""));
   CHECK_THAT(error_of("", "off"), Contains("expected \"OFF\""));
   CHECK_THAT(error_of("", "stl"), Contains("is not readable as stl"));
-  CHECK_THAT(error_of("", "obj"), Contains("is not readable as obj"));
+  CHECK_THAT(error_of("", "obj"), Contains("has no faces"));
+  CHECK_THAT(error_of("v 0 0 0\nv 0 x 1\n", "obj"), Contains("line 2: expected a vertex"));
+  CHECK_THAT(error_of("v 0 0 0\nf 1 1 1.5\n", "obj"), Contains("line 2: expected the indices"));
   CHECK_THAT(error_of("\xEF\xBB\xBF" + binary_stl(), "stl"), Contains("byte order mark"));
   CHECK_THAT(error_of(replaced(text_ply(), "float z", "float w"), "ply"),
              Contains("lack x, y or z"));
@@ -216,6 +227,15 @@ TEST_CASE("Only degenerate faces are no faces") {
              Catch::Contains("other than degenerate"));
 }
 
+TEST_CASE("A vertex of degenerate faces only is not used") {
+  const auto mesh =
+      read_mesh("OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n5 5 5\n3 0 1 2\n3 0 0 3\n", "off");
+
+  REQUIRE(mesh);
+  CHECK(mesh->vertices.size() == 3);
+  CHECK(mesh->triangles.size() == 1);
+}
+
 TEST_CASE("Coordinates that are not finite are refused") {
   const float nan = std::bit_cast<float>(std::uint32_t{0x7FC00000});
 
@@ -232,7 +252,12 @@ TEST_CASE("Indices of vertices that do not exist are refused") {
              Catch::Contains("triangle 1 uses a vertex that does not exist (there are 8)"));
   CHECK_THAT(error_of(replaced(text_ply(), "4 0 3 2 1", "4 0 3 2 -1"), "ply"),
              Catch::Contains("triangle 1 uses a vertex"));
-  CHECK_FALSE(error_of(replaced(obj(), "f 1 4 3 2", "f 1 4 3 77"), "obj").empty());
+  CHECK_THAT(error_of(replaced(obj(), "f 1 4 3 2", "f 1 4 3 77"), "obj"),
+             Catch::Contains("triangle 1 uses a vertex"));
+  CHECK_THAT(error_of(replaced(obj(), "f 1 4 3 2", "f 0 4 3 2"), "obj"),
+             Catch::Contains("triangle 0 uses a vertex"));
+  CHECK_THAT(error_of(replaced(obj(), "f 1 4 3 2", "f -9 4 3 2"), "obj"),
+             Catch::Contains("triangle 0 uses a vertex"));
 }
 
 TEST_CASE("Counts beyond the bytes of the file are refused before they take memory") {
@@ -258,8 +283,9 @@ TEST_CASE("A binary file cut anywhere is an error") {
 
 TEST_CASE("Damaged files give a sound mesh or an error") {
   Rng rng(1);
-  const std::array<std::pair<std::string, std::string>, 4> files{{
+  const std::array<std::pair<std::string, std::string>, 5> files{{
       {"off", off()},
+      {"obj", obj()},
       {"ply", text_ply()},
       {"ply", binary_ply(Order::kLittle)},
       {"ply", binary_ply(Order::kBig)},
