@@ -205,15 +205,19 @@ function methods.mirror(s, axis)
 end
 -- nx * ny * nz copies, px, py, pz apart, the first in place. Copies must not reach beyond their cells.
 function methods.array(s, px, py, pz, nx, ny, nz)
-  local function axis(v, p, n, what)
+  local x0, y0, z0, x1, y1, z1 = raw.box(s)
+  -- Cells lie about the middle of the solid, wherever it was moved to.
+  local function axis(v, p, n, low, high, what)
     n = n or 1
     if math.type(n) ~= "integer" or n < 1 then error("array: count must be a whole number from 1", 4) end
     if n == 1 then return v end
     positive(p, "array: spacing in " .. what)
-    return v - p * min(max(floor(v / p + 0.5), 0), n - 1)
+    local middle = 0.5 * (low + high)
+    if math.abs(middle) == math.huge or middle ~= middle then middle = 0 end
+    return v - p * min(max(floor((v - middle) / p + 0.5), 0), n - 1)
   end
-  local f = raw.remapped(s, axis(x, px, nx, "x"), axis(y, py, ny, "y"), axis(z, pz, nz, "z"))
-  local x0, y0, z0, x1, y1, z1 = raw.box(s)
+  local f = raw.remapped(s, axis(x, px, nx, x0, x1, "x"), axis(y, py, ny, y0, y1, "y"),
+                         axis(z, pz, nz, z0, z1, "z"))
   return raw.bounded(f, x0, y0, z0, x1 + px * ((nx or 1) - 1), y1 + py * ((ny or 1) - 1),
                      z1 + pz * ((nz or 1) - 1))
 end

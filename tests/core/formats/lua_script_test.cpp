@@ -57,6 +57,9 @@ TEST_CASE("Transforms and set operations do what they are called") {
   CHECK(inside("sphere(1):move(5, 0, 0):mirror('x')", {-5, 0, 0}));
   CHECK(inside("sphere(1):array(5, 0, 0, 3, 1, 1)", {10, 0, 0}));
   CHECK_FALSE(inside("sphere(1):array(5, 0, 0, 3, 1, 1)", {15, 0, 0}));
+  for (const double x : {-15.9, -14.1, 14.1, 15.9}) {
+    CHECK(inside("sphere(1):move(-15, 0, 0):array(30, 0, 0, 2)", {x, 0, 0}));
+  }
   CHECK_FALSE(inside("sphere(5):shell(1)", {3.9, 0, 0}));
   CHECK(inside("sphere(5):shell(1)", {4.1, 0, 0}));
   CHECK_FALSE(inside("difference(sphere(5), sphere(2))", {1, 0, 0}));
