@@ -251,7 +251,8 @@ TEST_CASE("Boundary edges are counted and reported") {
   CHECK(MeshModel(open).open_edges() == 3);
   CHECK(MeshModel(open).non_manifold_edges() == 0);
   CHECK(MeshModel(open).warning() ==
-        "not closed: 3 boundary edges, the inside may leak; repair the mesh");
+        "not closed: 3 boundary edges, the inside may leak; repair the mesh or use "
+        "--as ldni");
   CHECK(MeshModel(winged).open_edges() == 3);
   CHECK(MeshModel(winged).non_manifold_edges() == 1);
 }
@@ -316,7 +317,7 @@ TEST_CASE("A model's name says its format and stands in its errors") {
   REQUIRE(model);
   CHECK((*model)->open_edges() == 3);
   REQUIRE_FALSE(nameless);
-  CHECK(nameless.error().message == "model: \"\" is no mesh format; use stl, obj, ply or off");
+  CHECK(nameless.error().message == "model: \"\" is no mesh format; use stl, obj, ply, off or 3mf");
 }
 
 TEST_CASE("The interval index finds all that hold a value") {
