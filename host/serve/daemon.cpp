@@ -51,8 +51,14 @@ class Daemon::Implementation {
     for (auto* services : {&quick_, &slow_}) {
       auto store = Store::open(options_.data);
       if (!store) return fail(store.error());
-      services->emplace(Services{
-          std::move(*store), {}, options_.defaults, options_.port, *worker_, board_, events_});
+      services->emplace(Services{std::move(*store),
+                                 {},
+                                 options_.defaults,
+                                 options_.port,
+                                 *worker_,
+                                 board_,
+                                 events_,
+                                 began_});
     }
     return {};
   }
@@ -95,6 +101,7 @@ class Daemon::Implementation {
     return found;
   }
 
+  const std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
   const UniqueFd lock_;
   const Options options_;
   std::string key_;

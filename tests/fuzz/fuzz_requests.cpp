@@ -18,7 +18,7 @@ struct Site {
   EventLog events{[] {}};
   std::unique_ptr<PrinterWorker> worker =
       *PrinterWorker::start({folder.path(), "sim:", {}}, board, events);
-  Services services{*Store::open(folder.path()), {}, {}, "sim:", *worker, board, events};
+  Services services{*Store::open(folder.path()), {}, {}, "sim:", *worker, board, events, {}};
 };
 
 HttpMethod method_of(std::string_view word) {
