@@ -103,7 +103,7 @@ HttpResponse get_metrics(const HttpRequest&, Services& services) {
   if (!queued) return error_response(queued.error());
   const PrinterStatus status = services.board.get();
   Page page;
-  page.gauges("slipstick_info", "1", {"version", SLIPSTICK_VERSION}, 1);
+  page.gauges("slipstick_info", "1: which slipstick this is", {"version", SLIPSTICK_VERSION}, 1);
   add_printer(status, page);
   if (status.temperatures) add_temperatures(*status.temperatures, page);
   add_job(status, page);
