@@ -115,6 +115,9 @@ Result<void> apply_override(PrintSettings& settings, std::string_view text) {
 std::vector<fs::path> config_folders() {
   std::vector<fs::path> folders;
   if (const char* folder = std::getenv("SLIPSTICK_CONFIGS")) folders.emplace_back(folder);
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  if (!error) folders.push_back(program.parent_path().parent_path() / "share/slipstick/configs");
   folders.emplace_back(SLIPSTICK_CONFIGS);
   folders.emplace_back("/usr/share/slipstick/configs");
   return folders;

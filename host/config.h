@@ -25,7 +25,8 @@ struct SettingsRequest {
   std::vector<std::filesystem::path> folders = {};
 };
 
-/// The environment's SLIPSTICK_CONFIGS, the source's configs/, /usr/share/slipstick/configs.
+/// The environment's SLIPSTICK_CONFIGS, ../share/slipstick/configs as seen from the program's
+/// folder, the source's configs/, /usr/share/slipstick/configs.
 [[nodiscard]] std::vector<std::filesystem::path> config_folders();
 
 /// Reads all layers and checks that they suit each other.

@@ -82,8 +82,8 @@ Result<LineSource*> JournalledPrint::begin(LineSource& source, const Clock& cloc
   }
   options.journal = journal_->descriptor();
   options.listeners = {[this](const SenderEvent& event) { journal_->heard(event); },
-                       [this, &clock](SenderState, const SenderCounters& counters) {
-                         journal_->turn(counters, clock.now());
+                       [this, &clock](SenderState, const StreamFigures& figures) {
+                         journal_->turn(figures.counters, clock.now());
                        }};
   return &*lines_;
 }

@@ -11,6 +11,7 @@
 #include "core/base/result.h"
 #include "drivers/marlin/line.h"
 #include "drivers/marlin/sender_events.h"
+#include "host/stream_figures.h"
 
 namespace slipstick {
 
@@ -25,7 +26,7 @@ class PrintControl {
 
   struct Listeners {
     std::function<void(const SenderEvent&)> on_event;
-    std::function<void(SenderState, const SenderCounters&)> on_progress;  ///< Once a turn.
+    std::function<void(SenderState, const StreamFigures&)> on_progress;  ///< Once a turn.
   };
 
   PrintControl() = default;
@@ -93,8 +94,8 @@ class PrintControl {
   void tell(const SenderEvent& event) const {
     if (listeners_.on_event) listeners_.on_event(event);
   }
-  void tell(SenderState state, const SenderCounters& counters) const {
-    if (listeners_.on_progress) listeners_.on_progress(state, counters);
+  void tell(SenderState state, const StreamFigures& figures) const {
+    if (listeners_.on_progress) listeners_.on_progress(state, figures);
   }
 
  private:

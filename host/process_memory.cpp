@@ -20,10 +20,14 @@ double status_mb(const std::string& name) {
 
 }  // namespace
 
+double resident_mb() {
+  return status_mb("VmRSS:");
+}
+
 double begin_peak_anew() {
   ::malloc_trim(0);
   std::ofstream("/proc/self/clear_refs") << 5;
-  return status_mb("VmRSS:");
+  return resident_mb();
 }
 
 double peak_mb() {

@@ -62,15 +62,15 @@ class Stream {
       if (const auto ok = feed_and_write(); !ok) return out_of_reach(ok.error());
       const SenderState state = sender_.state();
       if (state == SenderState::kReady || state == SenderState::kPrinting) greeted();
-      control_.tell(state, sender_.counters());
-      if (listeners_.on_progress) listeners_.on_progress(state, sender_.counters());
+      outcome_.counters = sender_.counters();
+      control_.tell(state, outcome_);
+      if (listeners_.on_progress) listeners_.on_progress(state, outcome_);
       if (state == SenderState::kDone) break;
       if (state == SenderState::kHalted || state == SenderState::kLost) return given_up();
       if (stop_deadline_ && clock_.now() > *stop_deadline_) sender_.abandon("it does not stop");
       if (const auto ok = read(); !ok) return out_of_reach(ok.error());
     }
     if (failure_) return failed("heaters are off");
-    outcome_.counters = sender_.counters();
     outcome_.not_done = words_.not_done();
     outcome_.unknown_commands = words_.unknown();
     outcome_.seconds = std::chrono::duration<double>(clock_.now() - began_).count();
@@ -241,15 +241,20 @@ class Stream {
     output_.push(sender_.take_output(clock_.now()));
     // A journal says what numbers mean before the printer can have them.
     take_events();
-    return output_.write();
+    const bool anything = !output_.empty();
+    auto written = output_.write();
+    if (anything) outcome_.turnaround.answered(clock_.now());
+    return written;
   }
 
   Result<void> read() {
+    outcome_.turnaround.forget();
     const Moment before = clock_.now();
     const auto got = transport_.read_some(buffer_, patience(before));
     const Moment after = clock_.now();
     if (hungry_) outcome_.starved_seconds += std::chrono::duration<double>(after - before).count();
     if (got) {
+      outcome_.turnaround.heard(after);
       sender_.receive({buffer_.data(), *got}, after);
     } else if (got.error().code != ErrorCode::kTimedOut) {
       return fail(got.error());

@@ -30,10 +30,8 @@ struct StreamOptions {
   bool idle = false;  ///< There is no job: what would pause one is nobody's business.
 };
 
-struct StreamOutcome {
-  SenderCounters counters;
+struct StreamOutcome : StreamFigures {
   std::string firmware;
-  double starved_seconds = 0;  ///< The printer wanted a line and there was none.
   std::uint64_t not_done = 0;  ///< Complaints of lines that were acknowledged and not obeyed,
   std::uint64_t unknown_commands = 0;  ///< and not known.
   double seconds = 0;                  ///< By the link's clock.

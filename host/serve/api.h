@@ -5,7 +5,7 @@
 namespace slipstick {
 
 /// \file
-/// The handlers of /api/v1; docs/openapi.json describes each.
+/// The handlers of /api/v1, the page and /metrics; docs/openapi.json describes each.
 
 // api_web.cpp
 [[nodiscard]] HttpResponse get_page(const HttpRequest& request, Services& services);
@@ -33,6 +33,9 @@ enum class QueuePlace : std::uint8_t {
 /// Adds a job whose spec is known to be good.
 [[nodiscard]] Result<StoredJob> queue_job(const StoredFile& file, std::string_view spec,
                                           QueuePlace place, Services& services);
+
+// api_metrics.cpp
+[[nodiscard]] HttpResponse get_metrics(const HttpRequest& request, Services& services);
 
 // api_printer.cpp
 [[nodiscard]] HttpResponse get_printer(const HttpRequest& request, Services& services);

@@ -10,7 +10,6 @@
 #include "drivers/unique_fd.h"
 #include "host/serve/access.h"
 #include "host/serve/api_key.h"
-#include "host/serve/http_server.h"
 #include "host/serve/service_manager.h"
 
 namespace slipstick {
@@ -41,7 +40,7 @@ class Daemon::Implementation {
       : lock_(std::move(lock)), options_(options), events_([this] { server_->wake(); }) {}
 
   Result<void> start() {
-    auto server = HttpServer::listen(options_.listen, site());
+    auto server = HttpServer::listen(options_.listen, site(), options_.http);
     if (!server) return fail(server.error());
     server_ = std::move(*server);
     if (const auto ok = make_rules(); !ok) return ok;
@@ -52,8 +51,14 @@ class Daemon::Implementation {
     for (auto* services : {&quick_, &slow_}) {
       auto store = Store::open(options_.data);
       if (!store) return fail(store.error());
-      services->emplace(Services{
-          std::move(*store), {}, options_.defaults, options_.port, *worker_, board_, events_});
+      services->emplace(Services{std::move(*store),
+                                 {},
+                                 options_.defaults,
+                                 options_.port,
+                                 *worker_,
+                                 board_,
+                                 events_,
+                                 began_});
     }
     return {};
   }
@@ -96,6 +101,7 @@ class Daemon::Implementation {
     return found;
   }
 
+  const std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
   const UniqueFd lock_;
   const Options options_;
   std::string key_;

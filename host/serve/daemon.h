@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "host/serve/http_server.h"
 #include "host/serve/job_spec.h"
 
 namespace slipstick {
@@ -17,6 +18,7 @@ class Daemon {
     std::string listen = "127.0.0.1:5000";
     std::string port;  ///< Of the printer.
     JobDefaults defaults;
+    HttpLimits http;
   };
 
   /// Opens everything; from then on requests are let wait. Only one daemon a data folder.

@@ -122,13 +122,15 @@ const std::string& HttpRequest::parameter(const std::string& name) const {
 nlohmann::ordered_json parse_json(std::string_view text) {
   using Json = nlohmann::ordered_json;
   constexpr int kDepthMax = 32;
-  bool deep = false;
+  constexpr int kEventsMax = 8'192;  // of the parser: an object of n members is built in n² steps
+  int events = 0;
+  bool too_much = false;
   const auto keep = [&](int depth, Json::parse_event_t, Json&) {
-    deep |= depth > kDepthMax;
-    return !deep;
+    too_much |= depth > kDepthMax || ++events > kEventsMax;
+    return !too_much;
   };
   Json json = Json::parse(text, keep, false);
-  return deep ? Json(Json::value_t::discarded) : json;
+  return too_much ? Json(Json::value_t::discarded) : json;
 }
 
 HttpResponse json_response(const nlohmann::ordered_json& json, unsigned status) {

@@ -62,8 +62,9 @@ struct HttpResponse {
   std::vector<std::pair<std::string, std::string>> headers = {};
 };
 
-/// The document in `text`; discarded if there is none, or one that is nested more deeply than any
-/// that is asked for: copying and writing it would recurse.
+/// The document in `text`; discarded if there is none, or one that is nested more deeply (32) or
+/// has more members and values (about 4,000) than any that is asked for: copying and writing it
+/// would recurse, and members are looked for one by one.
 [[nodiscard]] nlohmann::ordered_json parse_json(std::string_view text);
 
 /// 200 with a document, or `status`.

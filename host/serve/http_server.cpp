@@ -20,7 +20,7 @@ using tcp = asio::ip::tcp;
 
 class HttpServer::Implementation {
  public:
-  explicit Implementation(HttpSite site) { shared_.site = std::move(site); }
+  Implementation(HttpSite site, const HttpLimits& limits) : shared_(std::move(site), limits) {}
   ~Implementation() {
     shared_.slow.stop();
     shared_.slow.join();
@@ -33,6 +33,7 @@ class HttpServer::Implementation {
 
  private:
   void accept();
+  void admit(tcp::socket socket);
   void tick(const std::function<bool()>& goes_on);
   void flush();
 
@@ -77,11 +78,21 @@ void HttpServer::Implementation::run(const EventLog& events, const std::function
 void HttpServer::Implementation::accept() {
   acceptor_.async_accept([this](error_code error, tcp::socket socket) {
     if (error == asio::error::operation_aborted) return;
-    if (!error && shared_.connections < HttpLimits::kConnections) {
-      std::make_shared<HttpSession>(shared_, std::move(socket))->read_head();
-    }
+    if (!error) admit(std::move(socket));
     accept();
   });
+}
+
+// A client for whom nobody gives way is not answered.
+void HttpServer::Implementation::admit(tcp::socket socket) {
+  error_code error;
+  const tcp::endpoint peer = socket.remote_endpoint(error);
+  if (error) return;
+  const auto place = shared_.seats.take(http_peer(peer.address().to_string()));
+  if (!place) return;
+  const auto gone = place->freed ? shared_.sessions.find(*place->freed) : shared_.sessions.end();
+  if (gone != shared_.sessions.end()) gone->second->cut_off();
+  std::make_shared<HttpSession>(shared_, std::move(socket), place->seat)->read_head();
 }
 
 void HttpServer::Implementation::tick(const std::function<bool()>& goes_on) {
@@ -110,8 +121,9 @@ HttpServer::HttpServer(std::unique_ptr<Implementation> implementation)
 
 HttpServer::~HttpServer() = default;
 
-Result<std::unique_ptr<HttpServer>> HttpServer::listen(const std::string& address, HttpSite site) {
-  auto implementation = std::make_unique<Implementation>(std::move(site));
+Result<std::unique_ptr<HttpServer>> HttpServer::listen(const std::string& address, HttpSite site,
+                                                       const HttpLimits& limits) {
+  auto implementation = std::make_unique<Implementation>(std::move(site), limits);
   if (const auto ok = implementation->listen(address); !ok) return fail(ok.error());
   return std::unique_ptr<HttpServer>(new HttpServer(std::move(implementation)));
 }

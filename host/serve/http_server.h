@@ -22,18 +22,24 @@ struct HttpSite {
   std::function<std::filesystem::path()> upload_path;
 };
 
-/// Bounds of what a connection may ask for, and of the time each part may take.
+/// Bounds of what a connection may ask for, of the time each part may take, and of how many there
+/// are.
 struct HttpLimits {
-  static constexpr int kConnections = 128;
   static constexpr std::uint32_t kHead = 16 << 10;
   static constexpr std::size_t kText = 1 << 20;
   static constexpr std::uint64_t kUpload = std::uint64_t{1} << 30;
-  static constexpr std::chrono::seconds kHeadPatience{15};  ///< Also between requests.
-  static constexpr std::chrono::seconds kBodyPatience{30};  ///< For each 64 KiB of it.
-  static constexpr std::chrono::seconds kWritePatience{30};
+
+  std::chrono::milliseconds head_patience{15'000};  ///< Also between requests.
+  std::chrono::milliseconds body_patience{30'000};  ///< For each 64 KiB of it.
+  std::chrono::milliseconds write_patience{30'000};
+  int connections = 128;
+  int connections_of_one = 32;  ///< Of one other machine; this one may have all.
+  int streams = 64;             ///< Of events; they are among the connections.
+  int slow_requests = 16;       ///< Under way, and waiting for the thread of slow routes.
 };
 
 /// Speaks HTTP/1.1 on one address, on the thread that calls `run` and one more for slow routes.
+/// Who keeps it waiting is cut off after a while, and at once where others want the connection.
 class HttpServer {
  public:
   static constexpr std::chrono::milliseconds kTick{100};
@@ -41,7 +47,8 @@ class HttpServer {
   /// \param address "127.0.0.1:5000", "[::1]:5000"; port 0 takes any.
   /// \return kInput for an address that is none, kUnavailable if it cannot be had.
   [[nodiscard]] static Result<std::unique_ptr<HttpServer>> listen(const std::string& address,
-                                                                  HttpSite site);
+                                                                  HttpSite site,
+                                                                  const HttpLimits& limits = {});
   ~HttpServer();
 
   /// "127.0.0.1:43211".

@@ -18,13 +18,14 @@ namespace beast = boost::beast;
 namespace http = boost::beast::http;
 using tcp = asio::ip::tcp;
 
-constexpr std::chrono::seconds kLingerPatience{2};
+constexpr std::chrono::seconds kLingerPatience{5};
 constexpr int kLingerReads = 64;
 constexpr std::chrono::seconds kHeartbeat{15};
 
 HttpMethod method_of(http::verb verb) {
   switch (verb) {
     case http::verb::get:
+    case http::verb::head:
       return HttpMethod::kGet;
     case http::verb::post:
       return HttpMethod::kPost;
@@ -35,6 +36,10 @@ HttpMethod method_of(http::verb verb) {
     default:
       return HttpMethod::kOther;
   }
+}
+
+bool is_of_http(const boost::system::error_code& error) {
+  return error.category() == http::make_error_code(http::error::bad_method).category();
 }
 
 std::string lower(beast::string_view text) {
@@ -60,13 +65,18 @@ void add_common_headers(Fields& fields) {
 
 }  // namespace
 
-HttpSession::HttpSession(HttpShared& server, tcp::socket socket)
-    : server_(server), stream_(std::move(socket)) {
-  ++server_.connections;
+HttpSession::HttpSession(HttpShared& server, tcp::socket socket, HttpSeats::Seat seat)
+    : server_(server), seat_(seat), stream_(std::move(socket)) {
+  server_.sessions.emplace(seat_, this);
 }
 HttpSession::~HttpSession() {
-  --server_.connections;
+  server_.seats.leave(seat_);
+  server_.sessions.erase(seat_);
   server_.streams.erase(this);
+}
+
+void HttpSession::cut_off() {
+  stream_.close();
 }
 
 void HttpSession::read_head() {
@@ -75,7 +85,8 @@ void HttpSession::read_head() {
   parser_->body_limit(HttpLimits::kUpload);
   request_ = {};
   upload_.reset();
-  stream_.expires_after(HttpLimits::kHeadPatience);
+  server_.seats.does(seat_, HttpSeats::Doing::kSpeech);
+  stream_.expires_after(server_.limits.head_patience);
   http::async_read_header(
       stream_, buffer_, *parser_,
       [self = shared_from_this()](ErrorValue error, std::size_t) { self->on_head(error); });
@@ -97,9 +108,7 @@ void HttpSession::on_head(ErrorValue error) {
   if (error == http::error::end_of_stream) return close();
   if (error == http::error::header_limit) return refuse(error_response(431, "head too large"));
   if (error == http::error::body_limit) return refuse(error_response(413, "more than 1 GiB"));
-  if (error && error.category() == http::make_error_code(http::error::bad_method).category()) {
-    return refuse(error_response(400, "not an HTTP/1.1 request"));
-  }
+  if (is_of_http(error)) return refuse(error_response(400, "not an HTTP/1.1 request"));
   if (error) return;  // gone, or too slow
   take_head();
   auto target = parse_http_target(std::string(parser_->get().target()));
@@ -113,19 +122,24 @@ void HttpSession::on_head(ErrorValue error) {
   if (found.route == nullptr) return refuse(std::move(found.refusal));
   route_ = found.route;
   request_.parameters = std::move(found.parameters);
-  if (route_->kind == RouteKind::kEvents) return begin_stream();
+  if (route_->kind == RouteKind::kEvents && !head_only_) return begin_stream();
   begin_body();
 }
 
 void HttpSession::take_head() {
   const auto& head = parser_->get();
   request_.method = method_of(head.method());
+  head_only_ = head.method() == http::verb::head;
   for (const auto& field : head) {
     request_.headers.emplace(lower(field.name_string()), std::string(field.value()));
   }
 }
 
 void HttpSession::begin_body() {
+  if (route_->body == RouteBody::kText &&
+      parser_->content_length().value_or(0) > HttpLimits::kText) {
+    return refuse(error_response(413, "more than 1 MiB"));
+  }
   if (route_->body != RouteBody::kText) {
     std::optional<std::string> boundary;
     if (route_->body == RouteBody::kForm) {
@@ -138,7 +152,7 @@ void HttpSession::begin_body() {
   }
   if (!beast::iequals(request_.header("expect"), "100-continue")) return read_body();
   continue_ = http::response<http::empty_body>(http::status::continue_, 11);
-  stream_.expires_after(HttpLimits::kWritePatience);
+  stream_.expires_after(server_.limits.write_patience);
   http::async_write(stream_, continue_, [self = shared_from_this()](ErrorValue error, std::size_t) {
     if (!error) self->read_body();
   });
@@ -148,7 +162,8 @@ void HttpSession::read_body() {
   if (parser_->is_done()) return answer();
   parser_->get().body().data = chunk_.data();
   parser_->get().body().size = chunk_.size();
-  stream_.expires_after(HttpLimits::kBodyPatience);
+  server_.seats.does(seat_, HttpSeats::Doing::kTransfer);
+  stream_.expires_after(server_.limits.body_patience);
   http::async_read(
       stream_, buffer_, *parser_,
       [self = shared_from_this()](ErrorValue error, std::size_t) { self->on_body(error); });
@@ -156,7 +171,10 @@ void HttpSession::read_body() {
 
 void HttpSession::on_body(ErrorValue error) {
   if (error == http::error::body_limit) return refuse(error_response(413, "more than 1 GiB"));
-  if (error && error != http::error::need_buffer) return;  // gone, or too slow
+  if (error && error != http::error::need_buffer) {
+    if (is_of_http(error)) refuse(error_response(400, "the body is not what its head says"));
+    return;  // gone, or too slow
+  }
   const std::string_view bytes(chunk_.data(), chunk_.size() - parser_->get().body().size);
   if (upload_) {
     if (const auto ok = upload_->write(bytes); !ok) return refuse(error_response(ok.error()));
@@ -176,12 +194,22 @@ void HttpSession::answer() {
     request_.upload = std::move(*upload);
   }
   keep_ = parser_->get().keep_alive();
-  if (route_->kind == RouteKind::kQuick) return send(server_.site.answer(*route_, request_));
+  if (route_->kind != RouteKind::kSlow) return send(server_.site.answer(*route_, request_));
+  answer_slowly();
+}
+
+void HttpSession::answer_slowly() {
+  if (server_.slow_requests == server_.limits.slow_requests) {
+    return send(error_response(503, "too many layers are asked for; ask again later"));
+  }
+  ++server_.slow_requests;
+  server_.seats.does(seat_, HttpSeats::Doing::kService);
   stream_.expires_never();
   asio::post(server_.slow, [self = shared_from_this()] {
     auto response = self->server_.site.answer(*self->route_, self->request_);
     // The session is let go on the server's thread, whatever happens.
     asio::post(self->server_.io, [self, response = std::move(response)]() mutable {
+      --self->server_.slow_requests;
       self->send(std::move(response));
     });
   });
@@ -201,10 +229,12 @@ void HttpSession::send(HttpResponse response) {
   add_common_headers(response_);
   if (!response.type.empty()) response_.set(http::field::content_type, response.type);
   for (const auto& [name, value] : response.headers) response_.set(name, value);
-  response_.body() = std::move(response.body);
   response_.keep_alive(keep_);
+  response_.body() = std::move(response.body);
   response_.prepare_payload();
-  stream_.expires_after(HttpLimits::kWritePatience);
+  if (head_only_) response_.body().clear();  // its length is told all the same
+  server_.seats.does(seat_, HttpSeats::Doing::kTransfer);
+  stream_.expires_after(server_.limits.write_patience);
   http::async_write(stream_, response_, [self = shared_from_this()](ErrorValue error, std::size_t) {
     if (!error) self->sent();
   });
@@ -213,13 +243,15 @@ void HttpSession::send(HttpResponse response) {
 void HttpSession::sent() {
   if (keep_) return read_head();
   close();
-  if (linger_) linger(kLingerReads);
+  if (!linger_) return;
+  server_.seats.does(seat_, HttpSeats::Doing::kSpeech);
+  stream_.expires_after(kLingerPatience);
+  linger(kLingerReads);
 }
 
 // Reads what the client still sends, so that it gets to read why it was refused.
 void HttpSession::linger(int reads) {
   if (reads == 0) return;
-  stream_.expires_after(kLingerPatience);
   stream_.async_read_some(asio::buffer(chunk_),
                           [self = shared_from_this(), reads](ErrorValue error, std::size_t) {
                             if (!error) self->linger(reads - 1);
@@ -232,6 +264,9 @@ void HttpSession::close() {
 }
 
 void HttpSession::begin_stream() {
+  if (server_.streams.size() >= static_cast<std::size_t>(server_.limits.streams)) {
+    return refuse(error_response(503, "too many listen to events already"));
+  }
   seen_ = server_.events->last();
   HttpResponse response = server_.site.answer(*route_, request_);
   http::response_header<> head;
@@ -240,9 +275,10 @@ void HttpSession::begin_stream() {
   head.set(http::field::content_type, response.type);
   head.set(http::field::connection, "close");
   add_common_headers(head);
-  server_.streams.insert(this);
   std::ostringstream text;
   text << head;
+  server_.streams.insert(this);
+  server_.seats.does(seat_, HttpSeats::Doing::kService);
   write_stream(text.str() + response.body);
   watch_for_end();
 }
@@ -251,7 +287,7 @@ void HttpSession::write_stream(std::string text) {
   writing_ = true;
   outgoing_ = std::move(text);
   written_ = std::chrono::steady_clock::now();
-  stream_.expires_after(HttpLimits::kWritePatience);
+  stream_.expires_after(server_.limits.write_patience);
   asio::async_write(stream_, asio::buffer(outgoing_),
                     [self = shared_from_this()](ErrorValue error, std::size_t) {
                       self->writing_ = false;

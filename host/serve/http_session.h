@@ -9,10 +9,12 @@
 #include <boost/beast/http/empty_body.hpp>
 #include <boost/beast/http/parser.hpp>
 #include <boost/beast/http/string_body.hpp>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
 
+#include "host/serve/http_seats.h"
 #include "host/serve/http_server.h"
 #include "host/serve/upload_body.h"
 
@@ -23,10 +25,18 @@ class HttpSession;
 /// What the connections of one server share. Sessions know it to their end, which may be that of
 /// `io`: it comes last.
 struct HttpShared {
-  HttpSite site;
+  HttpShared(HttpSite made, const HttpLimits& bounds)
+      : site(std::move(made)),
+        limits(bounds),
+        seats(bounds.connections, bounds.connections_of_one) {}
+
+  const HttpSite site;
+  const HttpLimits limits;
   const EventLog* events = nullptr;  ///< Set once, by `HttpServer::run`.
-  int connections = 0;
+  HttpSeats seats;
+  std::map<HttpSeats::Seat, HttpSession*> sessions;
   std::set<HttpSession*> streams;
+  int slow_requests = 0;
   boost::asio::io_context io{1};
   boost::asio::thread_pool slow{1};
 };
@@ -35,7 +45,7 @@ struct HttpShared {
 /// operation of it is under way. Threads: that of `io`.
 class HttpSession : public std::enable_shared_from_this<HttpSession> {
  public:
-  HttpSession(HttpShared& server, boost::asio::ip::tcp::socket socket);
+  HttpSession(HttpShared& server, boost::asio::ip::tcp::socket socket, HttpSeats::Seat seat);
   ~HttpSession();
   HttpSession(const HttpSession&) = delete;
   HttpSession& operator=(const HttpSession&) = delete;
@@ -44,6 +54,8 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   void read_head();
   /// Sends new events, if this is a stream that is not writing yet.
   void flush();
+  /// Ends it at once.
+  void cut_off();
 
  private:
   using ErrorValue = boost::system::error_code;
@@ -55,6 +67,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   void read_body();
   void on_body(ErrorValue error);
   void answer();
+  void answer_slowly();
   void refuse(HttpResponse response);
   void send(HttpResponse response);
   void sent();
@@ -66,6 +79,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   void end_stream();
 
   HttpShared& server_;
+  const HttpSeats::Seat seat_;
   boost::beast::tcp_stream stream_;
   boost::beast::flat_static_buffer<HttpLimits::kHead + kChunk> buffer_;
   std::optional<boost::beast::http::request_parser<boost::beast::http::buffer_body>> parser_;
@@ -75,6 +89,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   std::optional<UploadBody> upload_;
   boost::beast::http::response<boost::beast::http::empty_body> continue_;
   boost::beast::http::response<boost::beast::http::string_body> response_;
+  bool head_only_ = false;  // HEAD
   bool keep_ = false;
   bool linger_ = false;
   // A stream of events.

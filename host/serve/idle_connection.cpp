@@ -36,7 +36,7 @@ Result<void> stay_connected(Transport& transport, const Clock& clock, PrintContr
   options.idle = true;
   // A printer that is mute would be greeted for a minute more.
   bool given_up = false;
-  options.listeners.on_progress = [&](SenderState state, const SenderCounters&) {
+  options.listeners.on_progress = [&](SenderState state, const StreamFigures&) {
     if (state != SenderState::kGreeting || !ended()) return;
     given_up = true;
     transport.shut_down();

@@ -24,11 +24,16 @@ struct PrinterStatus {
   std::int64_t job = 0;  ///< Under way, or 0.
   std::string file;
   std::int64_t lines = 0;  ///< Acknowledged.
-  int layer = 0;           ///< Layers handed to the sender.
-  int layers = 0;          ///< Of the job, or 0: a G-code file has none.
-  double height = 0;       ///< mm: top of that layer.
-  double completion = 0;   ///< 0 to 1: of the layers, or of the bytes of a file.
-  double seconds = 0;      ///< Since the job began.
+  std::int64_t lines_sent = 0;
+  std::int64_t resends = 0;
+  double starved_seconds = 0;  ///< The printer wanted a line and there was none.
+  double turnaround_half = 0;  ///< Seconds from what was read to what was sent for it: half within.
+  double turnaround_99 = 0;    ///< 99 of 100 within.
+  int layer = 0;               ///< Layers handed to the sender.
+  int layers = 0;              ///< Of the job, or 0: a G-code file has none.
+  double height = 0;           ///< mm: top of that layer.
+  double completion = 0;       ///< 0 to 1: of the layers, or of the bytes of a file.
+  double seconds = 0;          ///< Since the job began.
   bool bed_occupied = false;
   bool connected = false;  ///< Somebody talks with it, in a print or between prints.
 };

@@ -200,7 +200,7 @@ std::shared_ptr<PrintControl> PrinterWorker::begin_idle() {
   const std::lock_guard lock(mutex_);
   idle_ = std::make_shared<PrintControl>(
       PrintControl::Listeners{[this](const SenderEvent& event) { reporter_.heard(event); },
-                              [this](SenderState state, const SenderCounters&) {
+                              [this](SenderState state, const StreamFigures&) {
                                 halted_ |= state == SenderState::kHalted;
                                 if (state == SenderState::kReady) reporter_.connected(true, "");
                               }});
@@ -313,8 +313,8 @@ std::shared_ptr<PrintControl> PrinterWorker::begin(std::int64_t id) {
   job_ = id;
   control_ = std::make_shared<PrintControl>(
       PrintControl::Listeners{[this](const SenderEvent& event) { reporter_.heard(event); },
-                              [this](SenderState, const SenderCounters& counters) {
-                                reporter_.turn(current()->wish(), counters);
+                              [this](SenderState, const StreamFigures& figures) {
+                                reporter_.turn(current()->wish(), figures);
                               }});
   return control_;
 }

@@ -18,6 +18,8 @@ constexpr std::array kRoutes{
     Route{kGet, "/assets/{name}", get_asset, RouteBody::kText, RouteKind::kQuick,
           RouteAccess::kAnyone},
 
+    Route{kGet, "/metrics", get_metrics},
+
     Route{kGet, "/api/v1/files", get_files},
     Route{kGet, "/api/v1/files/{name}", get_file},
     Route{kPut, "/api/v1/files/{name}", put_file, RouteBody::kUpload},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <span>
 #include <string_view>
 
@@ -25,6 +26,7 @@ struct Services {
   PrinterWorker& printer;
   const StatusBoard& board;
   EventLog& events;
+  std::chrono::steady_clock::time_point began;  ///< Of the daemon.
 };
 
 enum class RouteBody : std::uint8_t {

@@ -9,6 +9,10 @@ using SteadyTime = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kInterval{250};
 
+double seconds(Moment time) {
+  return std::chrono::duration<double>(time).count();
+}
+
 std::string one_line(const nlohmann::ordered_json& json) {
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
@@ -29,14 +33,20 @@ void StatusReporter::layer_began(int layer, double height) {
   if (status_.layers > 0) completion(double(layer - 1) / status_.layers);
 }
 
-void StatusReporter::turn(PrintControl::Wish wish, const SenderCounters& counters) {
-  status_.lines = static_cast<std::int64_t>(counters.lines_acknowledged);
+void StatusReporter::turn(PrintControl::Wish wish, const StreamFigures& figures) {
+  status_.lines = static_cast<std::int64_t>(figures.counters.lines_acknowledged);
   status_.seconds = std::chrono::duration<double>(SteadyTime::now() - began_).count();
   using Wish = PrintControl::Wish;
   set(wish == Wish::kRun     ? PrinterActivity::kPrinting
       : wish == Wish::kPause ? PrinterActivity::kPaused
                              : PrinterActivity::kEnding);
-  if (due(progress_told_)) tell("progress");
+  if (!due(progress_told_)) return;
+  status_.lines_sent = static_cast<std::int64_t>(figures.counters.lines_sent);
+  status_.resends = static_cast<std::int64_t>(figures.counters.resends);
+  status_.starved_seconds = figures.starved_seconds;
+  status_.turnaround_half = seconds(figures.turnaround.within(0.5));
+  status_.turnaround_99 = seconds(figures.turnaround.within(0.99));
+  tell("progress");
 }
 
 void StatusReporter::heard(const SenderEvent& event) {

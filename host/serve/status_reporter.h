@@ -23,7 +23,7 @@ class StatusReporter {
   void layer_began(int layer, double height);
   void completion(double share) { status_.completion = share; }
   /// After each turn of the printing loop.
-  void turn(PrintControl::Wish wish, const SenderCounters& counters);
+  void turn(PrintControl::Wish wish, const StreamFigures& figures);
   void heard(const SenderEvent& event);
   /// Says what the job came to; the printer is idle, or stopped for somebody to look at.
   void job_ended(PrinterActivity activity, const std::string& message);

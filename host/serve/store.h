@@ -85,6 +85,8 @@ class Store {
   /// At the end of the queue. \return kUnavailable also if that is full.
   [[nodiscard]] Result<StoredJob> add_job(const StoredFile& file, std::string_view spec,
                                           std::int64_t now);
+  /// How many wait.
+  [[nodiscard]] Result<int> queued();
   /// Puts a queued job before all others. \return whether it was queued.
   [[nodiscard]] Result<bool> put_first(std::int64_t id);
   /// The newest first.

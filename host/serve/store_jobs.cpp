@@ -47,12 +47,18 @@ std::string_view name_of(JobState state) {
   return kStateNames[static_cast<std::size_t>(state)];
 }
 
+Result<int> Store::queued() {
+  const auto rows = database_.query("SELECT count(*) FROM jobs WHERE state = 'queued'");
+  if (!rows) return fail(rows.error());
+  return static_cast<int>((*rows)[0].integer(0));
+}
+
 Result<StoredJob> Store::add_job(const StoredFile& file, std::string_view spec, std::int64_t now) {
   auto transaction = Database::Transaction::begin(database_);
   if (!transaction) return fail(transaction.error());
-  const auto queued = database_.query("SELECT count(*) FROM jobs WHERE state = 'queued'");
-  if (!queued) return fail(queued.error());
-  if ((*queued)[0].integer(0) >= kQueueMax) {
+  const auto waiting = queued();
+  if (!waiting) return fail(waiting.error());
+  if (*waiting >= kQueueMax) {
     return fail(ErrorCode::kUnavailable,
                 fmt::format("the queue has {} jobs and takes no more", kQueueMax));
   }

@@ -46,7 +46,7 @@ Moment latency(bool full) {
   NoLines lines;
   std::promise<void> said;
   bool first = true;
-  PrintControl control({{}, [&](SenderState state, const SenderCounters&) {
+  PrintControl control({{}, [&](SenderState state, const StreamFigures&) {
                           if (first && state == SenderState::kHalted) said.set_value();
                           first &= state != SenderState::kHalted;
                         }});

@@ -16,8 +16,8 @@ class At {
  public:
   At(std::uint64_t line, std::function<void(PrintControl&)> deed)
       : control_({{},
-                  [this, line](SenderState, const SenderCounters& counters) {
-                    if (done_ || counters.lines_sent < line) return;
+                  [this, line](SenderState, const StreamFigures& figures) {
+                    if (done_ || figures.counters.lines_sent < line) return;
                     done_ = true;
                     deed_(control_);
                   }}),
@@ -162,9 +162,9 @@ TEST_CASE("A pause in the middle of requests to send again loses nothing") {
     INFO(line);
     int turns = 0;
     PrintControl* handle = nullptr;
-    PrintControl control({{}, [&](SenderState state, const SenderCounters& counters) {
+    PrintControl control({{}, [&](SenderState state, const StreamFigures& figures) {
                             const bool resends = state == SenderState::kResending;
-                            if (turns == 0 && counters.lines_sent >= line && resends)
+                            if (turns == 0 && figures.counters.lines_sent >= line && resends)
                               handle->pause();
                             if (handle->wish() == PrintControl::Wish::kPause && ++turns == 50)
                               handle->resume();
@@ -188,8 +188,8 @@ TEST_CASE("What a printer says while a print is paused is read") {
                           if (!paused || !std::holds_alternative<TemperaturesSeen>(event)) return;
                           if (++heard == 100) handle->resume();
                         },
-                        [&](SenderState, const SenderCounters& counters) {
-                          if (heard == 0 && counters.lines_sent >= 50) handle->pause();
+                        [&](SenderState, const StreamFigures& figures) {
+                          if (heard == 0 && figures.counters.lines_sent >= 50) handle->pause();
                         }});
   handle = &control;
 
@@ -241,7 +241,7 @@ TEST_CASE("Plastic that is not pushed and moves that are not made pause the prin
                                "Error:G2/G3 bad parameters", "echo:T3 Invalid extruder");
   int pauses = 0;
   PrintControl* handle = nullptr;
-  PrintControl control({{}, [&](SenderState, const SenderCounters&) {
+  PrintControl control({{}, [&](SenderState, const StreamFigures&) {
                           if (handle->wish() != PrintControl::Wish::kPause) return;
                           ++pauses;
                           handle->resume();

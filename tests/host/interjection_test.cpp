@@ -21,11 +21,12 @@ struct Spiral {
   void print(std::uint64_t at, bool paused) {
     PrintControl* handle = nullptr;
     int turns = 0;
-    PrintControl control({{}, [&](SenderState, const SenderCounters& counters) {
-                            if (turns == 0 && counters.lines_sent == at && paused) handle->pause();
-                            if (turns == 0 && counters.lines_sent == at)
+    PrintControl control({{}, [&](SenderState, const StreamFigures& figures) {
+                            if (turns == 0 && figures.counters.lines_sent == at && paused)
+                              handle->pause();
+                            if (turns == 0 && figures.counters.lines_sent == at)
                               REQUIRE(handle->interject(heat_to(211)));
-                            if (counters.lines_sent >= at && ++turns == 9) handle->resume();
+                            if (figures.counters.lines_sent >= at && ++turns == 9) handle->resume();
                           }});
     handle = &control;
     test::ProgramLines lines(test::spiral("M83"));

@@ -76,8 +76,8 @@ std::vector<test::Bead> beads(const std::vector<std::string>& program, int line)
   std::vector<test::Bead> beads;
   PrintControl* handle = nullptr;
   int turns = 0;  // while it is held
-  PrintControl control({{}, [&](SenderState, const SenderCounters& counters) {
-                          if (turns == 0 && static_cast<int>(counters.lines_sent) == line)
+  PrintControl control({{}, [&](SenderState, const StreamFigures& figures) {
+                          if (turns == 0 && static_cast<int>(figures.counters.lines_sent) == line)
                             handle->pause();
                           if (handle->wish() == PrintControl::Wish::kPause && ++turns == 3)
                             handle->resume();
@@ -118,7 +118,7 @@ TEST_CASE("Heaters are said to be off only where the printer has confirmed it") 
   Fault fault = Fault::kNone;
   int turns = 0;  // since the request
   PrintControl* handle = nullptr;
-  PrintControl control({{}, [&](SenderState, const SenderCounters&) {
+  PrintControl control({{}, [&](SenderState, const StreamFigures&) {
                           turns += handle->wish() == PrintControl::Wish::kCancel ? 1 : 0;
                           if (turns == 2) fault = then;
                         }});
@@ -146,8 +146,9 @@ TEST_CASE("A paused print sends nothing until it is resumed, and then everything
   int given_while_paused = 0;
   Moves moves(60, [](int) {});
   PrintControl* handle = nullptr;
-  PrintControl control({{}, [&](SenderState, const SenderCounters& counters) {
-                          if (counters.lines_sent == 30 && turns_paused == 0) handle->pause();
+  PrintControl control({{}, [&](SenderState, const StreamFigures& figures) {
+                          if (figures.counters.lines_sent == 30 && turns_paused == 0)
+                            handle->pause();
                           if (handle->wish() != PrintControl::Wish::kPause) return;
                           if (turns_paused == 0) given_while_paused = moves.given();
                           CHECK(moves.given() == given_while_paused);
@@ -178,8 +179,8 @@ TEST_CASE("A print paused at any line lays the very same beads") {
 TEST_CASE("A print cancelled while it is parked ends with the heaters off") {
   PrintControl* handle = nullptr;
   int turns = 0;  // while it is held
-  PrintControl control({{}, [&](SenderState, const SenderCounters& counters) {
-                          if (counters.lines_sent == 8) handle->pause();
+  PrintControl control({{}, [&](SenderState, const StreamFigures& figures) {
+                          if (figures.counters.lines_sent == 8) handle->pause();
                           if (handle->wish() != PrintControl::Wish::kPause) return;
                           if (++turns == 40) handle->cancel();
                         }});
@@ -228,7 +229,9 @@ TEST_CASE("A listener hears temperatures and progress") {
   std::uint64_t lines = 0;
   PrintControl control(
       {[&](const SenderEvent& e) { temperatures |= std::holds_alternative<TemperaturesSeen>(e); },
-       [&](SenderState, const SenderCounters& counters) { lines = counters.lines_acknowledged; }});
+       [&](SenderState, const StreamFigures& figures) {
+         lines = figures.counters.lines_acknowledged;
+       }});
   SimTransport sim(*sim_options({}));
   Moves moves(200, [](int) {});
 

@@ -75,8 +75,9 @@ class Bench {
     if (!lines) return fail(lines.error());
     PrintControl* handle = nullptr;
     int turns = 0;
-    PrintControl control({{}, [&](SenderState, const SenderCounters& counters) {
-                            if (turns == 0 && counters.lines_sent == pause_at_) handle->pause();
+    PrintControl control({{}, [&](SenderState, const StreamFigures& figures) {
+                            if (turns == 0 && figures.counters.lines_sent == pause_at_)
+                              handle->pause();
                             if (handle->wish() == PrintControl::Wish::kPause &&
                                 ++turns == pause_turns_)
                               handle->resume();

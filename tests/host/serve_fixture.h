@@ -16,7 +16,9 @@ namespace slipstick::test {
 /// A daemon with a simulated printer, in this process, on a port of its own.
 class RunningDaemon {
  public:
-  explicit RunningDaemon(std::string printer = "sim:", std::string listen = "127.0.0.1:0") {
+  explicit RunningDaemon(std::string printer = "sim:", std::string listen = "127.0.0.1:0",
+                         const HttpLimits& limits = {})
+      : limits_(limits) {
     start(std::move(printer), std::move(listen));
   }
   ~RunningDaemon() { stop(); }
@@ -56,6 +58,7 @@ class RunningDaemon {
     options.data = folder_.path();
     options.listen = std::move(listen);
     options.port = std::move(printer);
+    options.http = limits_;
     auto daemon = Daemon::start(options);
     INFO((daemon ? "" : daemon.error().message));
     REQUIRE(daemon);
@@ -65,6 +68,7 @@ class RunningDaemon {
     thread_ = std::thread([this] { daemon_->run([this] { return goes_on_.load(); }); });
   }
 
+  const HttpLimits limits_;
   TemporaryFolder folder_;
   std::unique_ptr<Daemon> daemon_;
   std::atomic<bool> goes_on_{true};

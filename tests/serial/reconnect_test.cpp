@@ -36,8 +36,9 @@ class Print {
                             if (message && message->text.find("is gone") != message->text.npos)
                               when_gone(board_);
                           },
-                          [&](SenderState, const SenderCounters& counters) {
-                            if (counters.lines_sent != 150 || std::exchange(pulled, true)) return;
+                          [&](SenderState, const StreamFigures& figures) {
+                            if (figures.counters.lines_sent != 150 || std::exchange(pulled, true))
+                              return;
                             at_line_150(board_);
                           }});
     const auto ignore = [](auto...) {};

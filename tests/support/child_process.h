@@ -23,6 +23,7 @@ class ChildProcess {
   void send(int signal) const;
   /// Waits for its end. \return the exit status, or 128 + the signal.
   int wait();
+  [[nodiscard]] pid_t pid() const { return process_; }
 
  private:
   pid_t process_ = -1;

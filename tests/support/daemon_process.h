@@ -14,6 +14,7 @@ class DaemonProcess {
   DaemonProcess(const std::filesystem::path& data, const std::string& printer);
 
   [[nodiscard]] std::uint16_t port() const { return port_; }
+  [[nodiscard]] pid_t pid() const { return process_.pid(); }
   /// Sends `signal` and waits for the end. \return the exit status, or 128 + the signal.
   int end(int signal);
 

@@ -2,6 +2,7 @@
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
+#include <poll.h>
 #include <sys/socket.h>
 #include <sys/time.h>
 
@@ -93,6 +94,15 @@ bool HttpClient::ended() {
   while (fill()) {
   }
   return pending_.empty();
+}
+
+bool HttpClient::ended_within(std::chrono::milliseconds patience) {
+  pollfd look{socket_.get(), POLLIN, 0};
+  return ::poll(&look, 1, static_cast<int>(patience.count())) > 0 && !fill();
+}
+
+void HttpClient::end_sending() {
+  ::shutdown(socket_.get(), SHUT_WR);
 }
 
 bool HttpClient::fill() {

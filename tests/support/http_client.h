@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -28,6 +29,10 @@ class HttpClient {
   /// Up to and including `end`, or what there is when the connection ends.
   [[nodiscard]] std::string read_until(std::string_view end);
   [[nodiscard]] bool ended();
+  /// Whether it ends, or is reset, within so long; what comes instead is kept.
+  [[nodiscard]] bool ended_within(std::chrono::milliseconds patience);
+  /// No more bytes are sent; replies may still come.
+  void end_sending();
 
  private:
   bool fill();

@@ -62,6 +62,11 @@ std::vector<std::string> ObedientPrinter::commands() const {
   return commands_;
 }
 
+std::size_t ObedientPrinter::count() const {
+  const std::lock_guard lock(mutex_);
+  return commands_.size();
+}
+
 void ObedientPrinter::run() {
   while (!ending_) {
     if (!readable(listener_.get())) continue;

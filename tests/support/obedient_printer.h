@@ -24,6 +24,7 @@ class ObedientPrinter {
   [[nodiscard]] std::string address() const;
   /// Without numbers and checksums, over all connections.
   [[nodiscard]] std::vector<std::string> commands() const;
+  [[nodiscard]] std::size_t count() const;
 
  private:
   void run();

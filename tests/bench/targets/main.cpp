@@ -13,7 +13,7 @@ using namespace slipstick::targets;
 
 int main(int argc, char** argv) {
   using Group = std::pair<std::string_view, std::vector<Row> (*)()>;
-  constexpr std::array<Group, 10> kGroups{{{"memory", memory_rows},
+  constexpr std::array<Group, 11> kGroups{{{"memory", memory_rows},
                                            {"layer", layer_rows},
                                            {"image", image_rows},
                                            {"scaling", scaling_rows},
@@ -22,13 +22,14 @@ int main(int argc, char** argv) {
                                            {"placements", placement_rows},
                                            {"certificates", certificate_rows},
                                            {"simulation", simulation_rows},
-                                           {"sender", sender_rows}}};
+                                           {"sender", sender_rows},
+                                           {"daemon", daemon_rows}}};
   for (int i = 1; i < argc; ++i) {
     const auto named = [&](const Group& group) { return group.first == argv[i]; };
     if (std::any_of(kGroups.begin(), kGroups.end(), named)) continue;
     fmt::print(stderr,
                "targets: no group '{}' (memory, layer, image, scaling, edges, errors, placements, "
-               "certificates, simulation, sender)\n",
+               "certificates, simulation, sender, daemon)\n",
                argv[i]);
     return 2;
   }

@@ -1,22 +1,17 @@
 // The sender over a real pseudo-terminal, against a printer that acknowledges each line at once, or
 // every millisecond. One line in flight. Journals are not part of it.
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <stdlib.h>
 #include <time.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "core/base/check.h"
 #include "drivers/pty_transport.h"
-#include "drivers/unique_fd.h"
 #include "host/stream_job.h"
+#include "tests/bench/targets/echo.h"
 #include "tests/bench/targets/targets.h"
 
 namespace slipstick::targets {
@@ -27,65 +22,6 @@ using Steady = std::chrono::steady_clock;
 using std::chrono::microseconds;
 
 constexpr int kRounds = 7;
-
-/// Acknowledges lines at the other end of a terminal, none before `pause` after the one before.
-class Echo {
- public:
-  explicit Echo(microseconds pause) : master_(::posix_openpt(O_RDWR | O_NOCTTY)), pause_(pause) {
-    SLIPSTICK_CHECK(master_.valid() && ::grantpt(master_.get()) == 0 &&
-                    ::unlockpt(master_.get()) == 0);
-    std::array<char, 128> name{};
-    SLIPSTICK_CHECK(::ptsname_r(master_.get(), name.data(), name.size()) == 0);
-    path_ = name.data();
-    held_ = UniqueFd(::open(path_.c_str(), O_RDWR | O_NOCTTY));
-  }
-
-  [[nodiscard]] const std::string& path() const { return path_; }
-  /// The transport is open, so that the terminal is raw.
-  void start() {
-    thread_ = std::thread([this] { run(); });
-  }
-  ~Echo() {
-    // What ends its last read.
-    SLIPSTICK_CHECK(::write(held_.get(), "\x04\n", 2) == 2);
-    thread_.join();
-  }
-
- private:
-  void run() {
-    std::string line;
-    std::array<char, 4096> bytes{};
-    auto due = Steady::now();
-    while (true) {
-      const ssize_t count = ::read(master_.get(), bytes.data(), bytes.size());
-      if (count <= 0) return;
-      for (const char byte : std::string_view(bytes.data(), static_cast<std::size_t>(count))) {
-        if (byte == '\x04') return;
-        line += byte;
-        if (byte != '\n') continue;
-        std::this_thread::sleep_until(due);
-        due = Steady::now() + pause_;
-        answer(line);
-        line.clear();
-      }
-    }
-  }
-
-  void answer(std::string_view line) {
-    std::string_view text = "ok\n";
-    if (line.find("M105") != std::string_view::npos) text = "ok T:20.0 /0.0 B:20.0 /0.0\n";
-    if (line.find("M115") != std::string_view::npos) {
-      text = "FIRMWARE_NAME:Marlin 2.1.2\nCap:AUTOREPORT_TEMP:1\nok\n";
-    }
-    SLIPSTICK_CHECK(::write(master_.get(), text.data(), text.size()) > 0);
-  }
-
-  UniqueFd master_;
-  UniqueFd held_;
-  std::string path_;
-  microseconds pause_;
-  std::thread thread_;
-};
 
 /// Notes how long it takes from an acknowledgement read to the next line written.
 class Timed final : public Transport {

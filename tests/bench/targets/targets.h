@@ -20,5 +20,6 @@ namespace slipstick::targets {
 [[nodiscard]] std::vector<Row> certificate_rows();
 [[nodiscard]] std::vector<Row> simulation_rows();
 [[nodiscard]] std::vector<Row> sender_rows();
+[[nodiscard]] std::vector<Row> daemon_rows();
 
 }  // namespace slipstick::targets
