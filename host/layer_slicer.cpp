@@ -3,12 +3,10 @@
 #include <algorithm>
 
 #include "core/contour/audit.h"
-#include "core/contour/place_laplacian.h"
-#include "core/contour/place_roots.h"
-#include "core/contour/place_smooth.h"
 #include "core/contour/trace.h"
 #include "core/gcode/write.h"
 #include "core/toolpath/plan_layer.h"
+#include "host/place_contours.h"
 #include "host/stopwatch.h"
 
 namespace slipstick {
@@ -55,7 +53,7 @@ SlicedLayer LayerSlicer::contours(int layer, const ImageWindow::Image& image) co
   Stopwatch watch;
   ContourSet traced = trace(*image, settings_.slicing.ambiguity);
   seconds.contour = watch.lap();
-  place(traced, stack_.middle(layer));
+  place_contours(traced, settings_.slicing.place, *solid_, stack_.middle(layer));
   seconds.place = watch.lap();
   Simplified simplified = simplify(traced);
   seconds.simplify = watch.lap();
@@ -94,21 +92,6 @@ void LayerSlicer::certify(SlicedLayer& layer) const {
   }
   layer.certificate = std::move(certificate);
   layer.seconds.certify = watch.lap();
-}
-
-void LayerSlicer::place(ContourSet& contours, double z) const {
-  switch (settings_.slicing.place) {
-    case Placement::kRoots:
-      return place_roots(contours, *solid_->section(z));
-    case Placement::kSliding:
-      return place_sliding(contours);
-    case Placement::kProjection:
-      return place_projection(contours);
-    case Placement::kLaplacian:
-      return place_laplacian(contours);
-    case Placement::kMidpoints:
-      return;
-  }
 }
 
 Simplified LayerSlicer::simplify(const ContourSet& contours) const {

@@ -35,7 +35,6 @@ class LayerSlicer {
  private:
   [[nodiscard]] SlicedLayer contours(int layer, const ImageWindow::Image& image) const;
   void certify(SlicedLayer& layer) const;
-  void place(ContourSet& contours, double z) const;
   [[nodiscard]] Simplified simplify(const ContourSet& contours) const;
   [[nodiscard]] Result<void> add_toolpaths(const BitImage& image, SlicedLayer& layer);
   [[nodiscard]] Result<BitImage> common_part(int from, int to);

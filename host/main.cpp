@@ -47,6 +47,7 @@ int main(int argc, char** argv) {
   add_ports_command(app, run);
   add_bench_command(app, run);
   add_serve_command(app, run);
+  add_figure_command(app, run);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -4,12 +4,10 @@
 #include "core/contour/outline_builder.h"
 #include "core/contour/proxy.h"
 #include "core/contour/simplify.h"
+#include "core/contour/vsa_regions.h"
 
 namespace slipstick {
 namespace {
-
-// Fewer regions would ask for a loop of one or two edges.
-constexpr std::size_t kRegionsMin = 3;
 
 // Verification and splitting of the regions of one loop (section 5.2), in units of 1/65536 of a
 // cell.
@@ -67,17 +65,6 @@ class Verifier {
   std::vector<std::size_t> kept_;
 };
 
-std::vector<std::size_t> regions(const LoopView& loop, int alpha) {
-  std::vector<Vec2> points;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const GridPoint p = loop.vertex(i);
-    points.push_back({static_cast<double>(p.x), static_cast<double>(p.y)});
-  }
-  const std::size_t wanted =
-      std::max(kRegionsMin, loop.size() / static_cast<std::size_t>(std::max(alpha, 1)));
-  return cluster(points, Connection::kClosed, wanted);
-}
-
 }  // namespace
 
 Simplified simplify_vsa(const ContourSet& contours, const SimplifyOptions& options) {
@@ -86,7 +73,7 @@ Simplified simplify_vsa(const ContourSet& contours, const SimplifyOptions& optio
   const double tolerance = options.tolerance / unit;
   for (const ContourSet::Loop& loop : contours.loops()) {
     const LoopView view(contours, loop);
-    const std::vector<std::size_t> first = regions(view, options.alpha);
+    const std::vector<std::size_t> first = vsa_regions(view, options.alpha);
     Verifier verifier(view, tolerance);
     for (std::size_t i = 0; i < first.size(); ++i) {
       verifier.replace({first[i], i + 1 < first.size() ? first[i + 1] : first[0] + loop.count});

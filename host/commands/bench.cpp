@@ -9,6 +9,7 @@
 
 #include "host/atomic_file.h"
 #include "host/commands/command.h"
+#include "host/paper/paper_charts.h"
 #include "host/paper/paper_run.h"
 
 namespace slipstick {
@@ -21,6 +22,7 @@ struct BenchCommand {
   std::vector<std::string> only;
   std::string method = "ours";
   std::string output;
+  std::string charts;
   int threads = 0;
   bool json = false;
 };
@@ -86,14 +88,12 @@ class PaperBench {
 
   CommandResult run() {
     if (const auto ok = check_names(); !ok) return fail(ok.error());
+    if (!command_.charts.empty()) return charts();
     for (const PaperRow& row : paper_rows()) {
       if (!wanted(row)) continue;
       if (const auto ok = one(row); !ok) return fail(ok.error());
     }
-    if (json_.empty()) {
-      return fail(ErrorCode::kInput,
-                  "no row was run; name the folder of the models by --models or SLIPSTICK_MODELS");
-    }
+    if (json_.empty()) return nothing_run();
     if (command_.json) std::cout << json_.dump(2) << '\n';
     if (const auto ok = write(); !ok) return fail(ok.error());
     return violations_ == 0 ? 0 : 1;
@@ -117,12 +117,39 @@ class PaperBench {
     return command_.only.empty() || std::ranges::count(command_.only, row.name) > 0;
   }
 
-  Result<void> one(const PaperRow& row) {
-    if (!is_there(row, options_.models)) {
-      fmt::print(stderr, "{}: skipped: there is no {} in '{}'\n", row.name, row.stand_in,
-                 options_.models.string());
-      return {};
+  [[nodiscard]] static tl::unexpected<Error> nothing_run() {
+    return fail(ErrorCode::kInput,
+                "no row was run; name the folder of the models by --models or SLIPSTICK_MODELS");
+  }
+
+  // Says so where it is not.
+  [[nodiscard]] bool found(const PaperRow& row) const {
+    if (is_there(row, options_.models)) return true;
+    fmt::print(stderr, "{}: skipped: there is no {} in '{}'\n", row.name, row.stand_in,
+               options_.models.string());
+    return false;
+  }
+
+  CommandResult charts() {
+    const std::filesystem::path folder = command_.charts;
+    if (!std::filesystem::is_directory(folder)) {
+      return fail(ErrorCode::kInput,
+                  fmt::format("--charts {}: there is no such folder; make it", folder.string()));
     }
+    for (const PaperRow& row : paper_rows()) {
+      if (!has_charts(row) || !wanted(row) || !found(row)) continue;
+      const auto path = chart_paper_row(row, options_, folder);
+      if (!path) return fail(path.error());
+      if (!command_.json) fmt::print("{}\n", path->string());
+      json_.push_back({{"model", row.name}, {"chart", path->string()}});
+    }
+    if (json_.empty()) return nothing_run();
+    if (command_.json) std::cout << json_.dump(2) << '\n';
+    return 0;
+  }
+
+  Result<void> one(const PaperRow& row) {
+    if (!found(row)) return {};
     const auto done = run_paper_row(row, options_);
     if (!done) return fail(done.error());
     violations_ += done->violations;
@@ -165,7 +192,10 @@ void add_bench_command(CLI::App& app, ChosenCommand& run) {
   sub->add_option("--method", command->method, "ours, or the paper's on the same images")
       ->check(CLI::IsMember({"ours", "paper"}));
   sub->add_option("--threads", command->threads, "0: one a core")->check(CLI::Range(0, 256));
-  sub->add_option("-o,--output", command->output, "FILE.md or FILE.json");
+  auto* output = sub->add_option("-o,--output", command->output, "FILE.md or FILE.json");
+  sub->add_option("--charts", command->charts,
+                  "instead of the tables: charts over alpha of Hand and Spine, into this folder")
+      ->excludes(output);
   sub->add_flag("--json", command->json, "print JSON instead of the table");
   sub->footer("Example: slipstick bench paper --models ~/models --only Bunny,Gear");
   sub->callback([command, &run] { run = [command] { return PaperBench(*command).run(); }; });

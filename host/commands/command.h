@@ -26,5 +26,6 @@ void add_info_command(CLI::App& app, ChosenCommand& run);
 void add_ports_command(CLI::App& app, ChosenCommand& run);
 void add_bench_command(CLI::App& app, ChosenCommand& run);
 void add_serve_command(CLI::App& app, ChosenCommand& run);
+void add_figure_command(CLI::App& app, ChosenCommand& run);
 
 }  // namespace slipstick

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <string>
 
 #include "host/outputs/canvas.h"
+#include "host/outputs/tick.h"
 
 namespace slipstick {
 namespace {
@@ -35,12 +35,12 @@ class Panel {
 
   void axes(const std::string& title) const {
     cairo_set_line_width(cairo_, 1);
-    const double step = tick(most_);
+    const double step = tick_step(most_, kTicks);
     for (double v = 0; v <= most_; v += step) {
       line(kLeft, y(v), kWidth - kRight, y(v), kGrey);
       text(8, y(v) + kText / 3, fmt::format("{:g}", v));
     }
-    const double seconds = tick(seconds_);
+    const double seconds = tick_step(seconds_, kTicks);
     for (double t = 0; t <= seconds_; t += seconds) {
       line(x(t), top_, x(t), top_ + kPanel, kGrey);
       text(x(t) - kText / 2, top_ + kPanel + 1.5 * kText, fmt::format("{:g} s", t));
@@ -68,16 +68,6 @@ class Panel {
     return kLeft + t / seconds_ * (kWidth - kLeft - kRight);
   }
   [[nodiscard]] double y(double v) const { return top_ + kPanel * (1 - v / most_); }
-
-  /// 1, 2 or 5 times a power of ten.
-  [[nodiscard]] static double tick(double most) {
-    const double rough = most / kTicks;
-    const double ten = std::pow(10, std::floor(std::log10(rough)));
-    for (const double times : {1.0, 2.0, 5.0}) {
-      if (times * ten >= rough) return times * ten;
-    }
-    return 10 * ten;
-  }
 
   void line(double x0, double y0, double x1, double y1, Colour colour) const {
     cairo_set_source_rgb(cairo_, colour.red, colour.green, colour.blue);

@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <memory>
 #include <numbers>
 
 #include "host/outputs/canvas.h"
+#include "host/outputs/coloured_squares.h"
 
 namespace slipstick {
 namespace {
@@ -27,42 +26,6 @@ std::uint32_t colour_at(const JudgedLayer& layer, int row, int column) {
     return layer.support.at(row, column) ? kCell : kTooLittle;
   }
   return laid ? kTooMuch : kNothing;
-}
-
-struct Destroy {
-  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-};
-using Surface = std::unique_ptr<cairo_surface_t, Destroy>;
-
-/// One pixel each, the highest row on top.
-Surface image_of(const JudgedLayer& layer) {
-  const PixelFrame& frame = layer.laid.frame();
-  Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, frame.columns, frame.rows));
-  cairo_surface_flush(surface.get());
-  unsigned char* const bytes = cairo_image_surface_get_data(surface.get());
-  const int stride = cairo_image_surface_get_stride(surface.get());
-  if (bytes == nullptr) return surface;
-  for (int row = 0; row < frame.rows; ++row) {
-    unsigned char* line = bytes + static_cast<std::ptrdiff_t>(frame.rows - 1 - row) * stride;
-    for (int column = 0; column < frame.columns; ++column) {
-      const std::uint32_t colour = colour_at(layer, row, column);
-      std::memcpy(line + 4 * static_cast<std::ptrdiff_t>(column), &colour, sizeof colour);
-    }
-  }
-  cairo_surface_mark_dirty(surface.get());
-  return surface;
-}
-
-void paint_pixels(cairo_t* cairo, const JudgedLayer& layer, double scale) {
-  const Surface image = image_of(layer);
-  cairo_save(cairo);
-  cairo_translate(cairo, 0, kCaption);
-  cairo_scale(cairo, scale, scale);
-  cairo_set_source_surface(cairo, image.get(), 0, 0);
-  cairo_pattern_set_filter(cairo_get_source(cairo),
-                           scale < 1 ? CAIRO_FILTER_GOOD : CAIRO_FILTER_NEAREST);
-  cairo_paint(cairo);
-  cairo_restore(cairo);
 }
 
 void mark_defects(cairo_t* cairo, std::span<const Defect> defects, const PixelFrame& frame,
@@ -115,7 +78,8 @@ Result<void> DepositPicture::write_to(const std::filesystem::path& path,
   const double scale = kLongSide / std::max(frame.columns, frame.rows);
   Canvas canvas(*format, std::ceil(frame.columns * scale),
                 std::ceil(frame.rows * scale + kCaption));
-  paint_pixels(canvas.cairo(), layer, scale);
+  const auto colour = [&layer](int row, int column) { return colour_at(layer, row, column); };
+  paint_squares(canvas.cairo(), {frame.columns, frame.rows, colour}, 0, kCaption, scale);
   mark_defects(canvas.cairo(), marked, frame, scale);
   write_caption(canvas.cairo(),
                 fmt::format("layer {}, z = {:.4g} mm: {} defects; {:.1f} mm across", kept_->layer,

@@ -10,16 +10,14 @@
 #include "core/solid/mesh_model.h"
 #include "core/solid/rbf_fit.h"
 #include "host/atomic_file.h"
-#include "host/interrupt.h"
 #include "host/mesh_as.h"
+#include "host/paper/slice_through.h"
 #include "host/process_memory.h"
-#include "host/slicing_job.h"
 #include "host/stopwatch.h"
 
 namespace slipstick {
 namespace {
 
-constexpr double kCubicInch = kInch * kInch * kInch;
 constexpr double kToleranceOfSampling = 0.1;  // as the paper's contours keep to their r'
 
 // Not evenly: the windows are the paper's, whatever the shape of the stand-in.
@@ -132,42 +130,35 @@ SlicingRequest request_for(const PaperRow& row, const PaperOptions& options) {
   return request;
 }
 
-Result<void> slice(const PlacedSolid& placed, const SlicingRequest& request, PaperRun& run) {
-  auto job = SlicingJob::start(placed, request);
-  if (!job) return fail(job.error());
-  while (true) {
-    if (Interrupt::requested()) return fail(ErrorCode::kCancelled, "interrupted");
-    const auto layer = (*job)->next();
-    if (!layer) return fail(layer.error());
-    if (!*layer) break;
-  }
-  const SlicingTotals& totals = (*job)->totals();
-  run.sampling_seconds = totals.seconds.sample;
-  run.edges_before = totals.edges_before;
-  run.edges_after = totals.edges_after;
-  run.distortion = totals.max_regional_distortion / kCubicInch;
-  run.layers = totals.layers;
-  run.violations = totals.violations;
-  return {};
-}
-
 }  // namespace
+
+Result<PaperSubject> paper_subject(const PaperRow& row, const PaperOptions& options) {
+  auto subject = subject_of(row, options.models);
+  if (!subject) return fail(subject.error().within(row.name));
+  PlacedSolid placed{
+      subject->model->placed(subject->map), {{0, 0, 0}, kInch * row.size}, inverse(subject->map)};
+  return PaperSubject{std::move(subject->model), std::move(placed), request_for(row, options)};
+}
 
 Result<PaperRun> run_paper_row(const PaperRow& row, const PaperOptions& options) {
   PaperRun run;
   Stopwatch building;
-  const auto subject = subject_of(row, options.models);
-  if (!subject) return fail(subject.error().within(row.name));
-  const PlacedSolid placed{
-      subject->model->placed(subject->map), {{0, 0, 0}, kInch * row.size}, inverse(subject->map)};
+  const auto subject = paper_subject(row, options);
+  if (!subject) return fail(subject.error());
   run.representation = fmt::format("{}: {}", subject->model->kind(), subject->model->size_text());
   run.build_seconds = building.lap();
   run.solid_mb = begin_peak_anew();
   Stopwatch slicing;
-  const auto sliced = slice(placed, request_for(row, options), run);
-  if (!sliced) return fail(sliced.error().within(row.name));
+  const auto totals = slice_through(subject->placed, subject->request);
+  if (!totals) return fail(totals.error().within(row.name));
   run.seconds = slicing.lap();
   run.beyond_mb = peak_mb() - run.solid_mb;
+  run.sampling_seconds = totals->seconds.sample;
+  run.edges_before = totals->edges_before;
+  run.edges_after = totals->edges_after;
+  run.distortion = totals->max_regional_distortion / kCubicInch;
+  run.layers = totals->layers;
+  run.violations = totals->violations;
   return run;
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 
 #include "core/base/result.h"
 #include "host/paper/paper_tables.h"
+#include "host/slicing_job.h"
 
 namespace slipstick {
 
@@ -34,6 +36,16 @@ struct PaperOptions {
   PaperMethod method = PaperMethod::kOurs;
   int threads = 0;  ///< 0: one a core.
 };
+
+/// A row ready to be sliced as there: layers 0.01 in thick, on its r'.
+struct PaperSubject {
+  std::unique_ptr<Model> model;
+  PlacedSolid placed;  ///< Stretched to the paper's size.
+  SlicingRequest request;
+};
+
+/// \return kInput if there is no such file, or as the loaders.
+[[nodiscard]] Result<PaperSubject> paper_subject(const PaperRow& row, const PaperOptions& options);
 
 /// The stand-in of a row, stretched to the paper's size, sliced as there: layers 0.01 in thick, on
 /// its r'. \return kInput if there is no such file, or as the loaders and SlicingJob.

@@ -44,8 +44,9 @@ struct PaperRow {
 [[nodiscard]] std::span<const PaperRow> paper_rows();
 
 /// Of all their tests.
-inline constexpr double kPaperLayerHeight = 0.01;  ///< in
-inline constexpr double kInch = 25.4;              ///< mm
+inline constexpr double kPaperLayerHeight = 0.01;            ///< in
+inline constexpr double kInch = 25.4;                        ///< mm
+inline constexpr double kCubicInch = kInch * kInch * kInch;  ///< mm³
 
 /// A cubic truss with diagonals, 2.40 x 5.82 x 2.54 in: nobody has published theirs.
 [[nodiscard]] std::string_view truss_script();
