@@ -84,6 +84,7 @@ void HttpSession::read_head() {
   parser_->header_limit(HttpLimits::kHead);
   parser_->body_limit(HttpLimits::kUpload);
   request_ = {};
+  head_only_ = false;
   upload_.reset();
   server_.seats.does(seat_, HttpSeats::Doing::kSpeech);
   stream_.expires_after(server_.limits.head_patience);

@@ -169,6 +169,15 @@ TEST_CASE(
   CHECK(seats.take(""));
 }
 
+TEST_CASE("Layers that are asked for beyond those that wait already are refused") {
+  HttpLimits limits;
+  limits.slow_requests = 0;
+  const test::RunningDaemon daemon("sim:", "127.0.0.1:0", limits);
+
+  CHECK(daemon.get("/api/v1/files/a.lua/layers/1").status == 503);
+  CHECK(daemon.get("/api/v1/printer").status == 200);
+}
+
 TEST_CASE("Another machine gets its share of the connections; beyond it, only its own give way") {
   HttpSeats seats(10, 2);
   const auto ours = seats.take("");

@@ -7,6 +7,7 @@
 #include <sys/time.h>
 
 #include <algorithm>
+#include <cerrno>
 
 #include "core/base/check.h"
 
@@ -108,7 +109,10 @@ void HttpClient::end_sending() {
 bool HttpClient::fill() {
   char bytes[16 << 10];
   if (!socket_.valid()) return false;
-  const ssize_t got = ::recv(socket_.get(), bytes, sizeof bytes, 0);
+  ssize_t got = 0;
+  do {
+    got = ::recv(socket_.get(), bytes, sizeof bytes, 0);
+  } while (got < 0 && errno == EINTR);  // a fuzzer has a timer
   if (got <= 0) return false;
   pending_.append(bytes, static_cast<std::size_t>(got));
   return true;
