@@ -60,7 +60,7 @@ TEST_CASE("A model of unknown kind is told what kinds there are") {
   const Workplace place;
 
   CHECK_THAT(refusal_of_slice(place, place.file("a.doc", "")),
-             Contains("a.doc") && Contains(".lua, .vm, .bsp"));
+             Contains("a.doc") && Contains(".lua, .vm, .ldni"));
 }
 
 TEST_CASE("A broken script is named with its line") {

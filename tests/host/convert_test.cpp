@@ -43,18 +43,18 @@ class Workshop {
     return test::slipstick(words);
   }
 
-  // The area of all layers, holes taken off, times their height: mm³ of a model in mm.
+  // The area of all layers, holes taken off, times their height, 0.4: mm³ of a model in mm.
   [[nodiscard]] double volume(const std::string& model, std::vector<std::string> more = {}) const {
     std::vector<std::string> words{"slice",
                                    model,
                                    "-o",
                                    path("out.jsonl"),
                                    "--sampling",
-                                   "0.1",
-                                   "--layer-height",
                                    "0.2",
+                                   "--layer-height",
+                                   "0.4",
                                    "--first-layer-height",
-                                   "0.2"};
+                                   "0.4"};
     words.insert(words.end(), more.begin(), more.end());
     const auto sliced = test::slipstick(words);
     INFO(sliced.err);

@@ -47,22 +47,13 @@ class Bench {
         {"sim", "--gcode", gcode_, "--against", model_, "--layer-height", "0.3", "--json"});
   }
 
-  /// The same, and draws by `words`. What the library of fonts keeps until the end is not ours.
+  /// The same, and draws by `words`.
   test::Finished draw(const Program& program, const std::vector<std::string>& words) const {
     write(program);
-    std::vector<std::string> all{
-        "/usr/bin/env",
-        "LSAN_OPTIONS=suppressions=" SLIPSTICK_SOURCE_DIR "/tests/support/lsan.txt",
-        SLIPSTICK_BINARY,
-        "sim",
-        "--gcode",
-        gcode_,
-        "--against",
-        model_,
-        "--layer-height",
-        "0.3"};
+    std::vector<std::string> all{"sim",  "--gcode",        gcode_, "--against",
+                                 model_, "--layer-height", "0.3"};
     all.insert(all.end(), words.begin(), words.end());
-    return test::run(all);
+    return test::slipstick(all);
   }
 
   [[nodiscard]] std::string file(const char* name) const {

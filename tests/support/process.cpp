@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <string_view>
 
 #include "core/base/check.h"
 #include "tests/support/temporary_folder.h"
@@ -49,7 +50,11 @@ Finished run(const std::vector<std::string>& arguments) {
 }
 
 Finished slipstick(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), SLIPSTICK_BINARY);
+  const std::string_view leaks_of_others =
+      "LSAN_OPTIONS=print_suppressions=0:suppressions=" SLIPSTICK_SOURCE_DIR
+      "/tests/support/lsan.txt";
+  arguments.insert(arguments.begin(),
+                   {"/usr/bin/env", std::string(leaks_of_others), SLIPSTICK_BINARY});
   return run(arguments);
 }
 
