@@ -16,6 +16,11 @@ double block_of(double widths) {
   return std::floor(widths / kSide);
 }
 
+std::size_t block_index(int side, const std::array<int, 3>& at) {
+  const auto part = [](int c) { return static_cast<std::size_t>(c); };
+  return (part(at[2]) * part(side) + part(at[1])) * part(side) + part(at[0]);
+}
+
 // Two bits of votes for inside, two for outside, and whether a sample has a say.
 struct Votes {
   std::uint8_t inside : 2 = 0;
@@ -73,46 +78,69 @@ class Column {
   std::vector<Step> steps_;
 };
 
-}  // namespace
-
-LdniBlocks::LdniBlocks(const Ldni& ldni)
-    : resolution_(ldni.grid().resolution()), side_((resolution_ + kSide - 1) / kSide) {
-  const auto side = static_cast<std::size_t>(side_);
-  std::vector<Votes> votes(side * side * side);
-  Column column(side_);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto take = [&](int u, int v) {
-      column.end([&](int along, bool disturbed, bool all, bool none) {
-        std::array<int, 3> at{};
-        at[axis] = along;
-        at[(axis + 1) % 3] = u;
-        at[(axis + 2) % 3] = v;
-        Votes& here = votes[index(at[0], at[1], at[2])];
-        if (disturbed) here.disturbed = 1;
-        if (all) ++here.inside;
-        if (none) ++here.outside;
-      });
-    };
-    for (int v = 0; v < side_; ++v) {
-      for (int u = 0; u < side_; ++u) {
-        column.begin();
-        for (int j = v * kSide; j <= std::min((v + 1) * kSide, resolution_ - 1); ++j) {
-          for (int i = u * kSide; i <= std::min((u + 1) * kSide, resolution_ - 1); ++i) {
-            column.add(ldni.axes()[axis].of(ldni.grid().ray(i, j)));
-          }
-        }
-        take(u, v);
+// What the rays of all three axes say of each block.
+class Poll {
+ public:
+  explicit Poll(const Ldni& ldni)
+      : ldni_(ldni),
+        resolution_(ldni.grid().resolution()),
+        side_((resolution_ + kSide - 1) / kSide),
+        column_(side_) {
+    const auto side = static_cast<std::size_t>(side_);
+    votes_.resize(side * side * side);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (int v = 0; v < side_; ++v) {
+        for (int u = 0; u < side_; ++u) ask(axis, u, v);
       }
     }
   }
-  covers_.reserve(votes.size());
-  for (const Votes& v : votes) {
-    covers_.push_back(v.disturbed != 0 ? Cover::kMixed
-                      : v.inside >= 2  ? Cover::kInside
-                      : v.outside >= 2 ? Cover::kOutside
-                                       : Cover::kMixed);
+
+  [[nodiscard]] std::vector<Cover> covers() const {
+    std::vector<Cover> covers;
+    covers.reserve(votes_.size());
+    for (const Votes& v : votes_) covers.push_back(cover_of(v));
+    return covers;
   }
-}
+
+ private:
+  static Cover cover_of(const Votes& v) {
+    if (v.disturbed != 0) return Cover::kMixed;
+    if (v.inside >= 2) return Cover::kInside;
+    return v.outside >= 2 ? Cover::kOutside : Cover::kMixed;
+  }
+
+  void ask(std::size_t axis, int u, int v) {
+    column_.begin();
+    for (int j = v * kSide; j <= std::min((v + 1) * kSide, resolution_ - 1); ++j) {
+      for (int i = u * kSide; i <= std::min((u + 1) * kSide, resolution_ - 1); ++i) {
+        column_.add(ldni_.axes()[axis].of(ldni_.grid().ray(i, j)));
+      }
+    }
+    column_.end([&](int along, bool disturbed, bool all, bool none) {
+      std::array<int, 3> at{};
+      at[axis] = along;
+      at[(axis + 1) % 3] = u;
+      at[(axis + 2) % 3] = v;
+      Votes& here = votes_[block_index(side_, at)];
+      if (disturbed) here.disturbed = 1;
+      if (all) ++here.inside;
+      if (none) ++here.outside;
+    });
+  }
+
+  const Ldni& ldni_;
+  int resolution_;
+  int side_;
+  Column column_;
+  std::vector<Votes> votes_;
+};
+
+}  // namespace
+
+LdniBlocks::LdniBlocks(const Ldni& ldni)
+    : resolution_(ldni.grid().resolution()),
+      side_((resolution_ + kSide - 1) / kSide),
+      covers_(Poll(ldni).covers()) {}
 
 Cover LdniBlocks::cover(const LdniPoint& low, const LdniPoint& high) const {
   const double end = resolution_ - 1;
@@ -124,11 +152,11 @@ Cover LdniBlocks::cover(const LdniPoint& low, const LdniPoint& high) const {
     first[k] = static_cast<int>(std::max(low[k], 0.0)) / kSide;
     last[k] = static_cast<int>(std::min(high[k], end)) / kSide;
   }
-  const Cover cover = beyond ? Cover::kOutside : covers_[index(first[0], first[1], first[2])];
+  const Cover cover = beyond ? Cover::kOutside : covers_[block_index(side_, first)];
   for (int z = first[2]; z <= last[2]; ++z) {
     for (int y = first[1]; y <= last[1]; ++y) {
       for (int x = first[0]; x <= last[0]; ++x) {
-        if (covers_[index(x, y, z)] != cover) return Cover::kMixed;
+        if (covers_[block_index(side_, {x, y, z})] != cover) return Cover::kMixed;
       }
     }
   }

@@ -21,13 +21,6 @@ class LdniBlocks {
   [[nodiscard]] Cover cover(const LdniPoint& low, const LdniPoint& high) const;
 
  private:
-  [[nodiscard]] std::size_t index(int x, int y, int z) const {
-    return (static_cast<std::size_t>(z) * static_cast<std::size_t>(side_) +
-            static_cast<std::size_t>(y)) *
-               static_cast<std::size_t>(side_) +
-           static_cast<std::size_t>(x);
-  }
-
   int resolution_;
   int side_;  // blocks
   std::vector<Cover> covers_;
