@@ -228,8 +228,7 @@ TEST_CASE("Only degenerate faces are no faces") {
 }
 
 TEST_CASE("A vertex of degenerate faces only is not used") {
-  const auto mesh =
-      read_mesh("OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n5 5 5\n3 0 1 2\n3 0 0 3\n", "off");
+  const auto mesh = read_mesh("OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n5 5 5\n3 0 1 2\n3 0 0 3\n", "off");
 
   REQUIRE(mesh);
   CHECK(mesh->vertices.size() == 3);
