@@ -29,7 +29,7 @@ class Turnaround {
  private:
   static constexpr unsigned kSteps = 16;  // from one power of two to the next
   static constexpr Moment kLongest = std::chrono::minutes(1);
-  static constexpr std::size_t kBuckets = 24 * kSteps;
+  static constexpr std::size_t kBuckets = std::size_t{24} * kSteps;
 
   [[nodiscard]] static std::size_t bucket_of(std::uint64_t microseconds);
   [[nodiscard]] static Moment end_of(std::size_t bucket);
