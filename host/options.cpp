@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <map>
 
+#include "core/base/number_text.h"
 #include "core/solid/ldni.h"
 #include "host/config.h"
 
@@ -76,27 +78,47 @@ void add_mesh_options(CLI::App& app, LoadOptions& options) {
       ->capture_default_str();
 }
 
-void add_bounds_option(CLI::App& app, std::vector<double>& bounds) {
-  app.add_option("--bounds", bounds, "extent of a .vm model in its units: X0,Y0,Z0,X1,Y1,Z1")
-      ->delimiter(',')
-      ->expected(6);
+CLI::Option* add_numbers_option(CLI::App& app, const std::string& name,
+                                std::vector<double>& numbers, std::size_t count,
+                                const std::string& help) {
+  const auto take = [name, &numbers, count](const std::string& text) {
+    numbers.clear();
+    for (const std::string& word : CLI::detail::split(text, ',')) {
+      const auto number = parse_number(word);
+      if (!number) break;
+      numbers.push_back(*number);
+    }
+    const auto commas = static_cast<std::size_t>(std::count(text.begin(), text.end(), ','));
+    if (numbers.size() == count && commas + 1 == count) return;
+    throw CLI::ValidationError(
+        name, fmt::format("wants {} numbers with commas between, not '{}'", count, text));
+  };
+  return app.add_option_function<std::string>(name, take, help)->type_name("NUMBERS");
 }
 
-void ModelOptions::add_to(CLI::App& app) {
+void add_bounds_option(CLI::App& app, std::vector<double>& bounds) {
+  add_numbers_option(app, "--bounds", bounds, 6,
+                     "extent of a .vm model in its units: X0,Y0,Z0,X1,Y1,Z1");
+}
+
+void ModelOptions::add_loading_to(CLI::App& app) {
   app.add_option("--as", loading.as, "what a mesh is sliced as: mesh (exact), ldni or bsp")
       ->transform(CLI::CheckedTransformer(std::map<std::string, MeshAs>{
           {"mesh", MeshAs::kMesh}, {"ldni", MeshAs::kLdni}, {"bsp", MeshAs::kBsp}}));
   add_mesh_options(app, loading);
   add_bounds_option(app, bounds);
+}
+
+void ModelOptions::add_to(CLI::App& app) {
+  add_loading_to(app);
   app.add_option("--units", units, "of the model: mm or inch")
       ->check(CLI::IsMember({"mm", "inch"}))
       ->capture_default_str();
   app.add_option("--scale", scale, "factor")->capture_default_str();
-  app.add_option("--fit", fit, "scale evenly to fill X,Y,Z mm")->delimiter(',')->expected(3);
-  app.add_option("--rotate", rotate, "degrees about X,Y,Z")->delimiter(',')->expected(3);
-  app.add_option("--direction", direction, "slicing direction in the model's frame: X,Y,Z")
-      ->delimiter(',')
-      ->expected(3);
+  add_numbers_option(app, "--fit", fit, 3, "scale evenly to fill X,Y,Z mm");
+  add_numbers_option(app, "--rotate", rotate, 3, "degrees about X,Y,Z");
+  add_numbers_option(app, "--direction", direction, 3,
+                     "slicing direction in the model's frame: X,Y,Z");
 }
 
 Result<void> apply_bounds(const std::vector<double>& bounds, LoadOptions& options) {
@@ -128,7 +150,8 @@ void SlicingOptions::add_to(CLI::App& app) {
   app.add_option("--material", material, "name from configs/materials, or a .toml file")
       ->capture_default_str();
   app.add_option("--profile", profile, "name from configs/profiles, or a .toml file");
-  app.add_option("--set", set, "any setting: key=value, repeatable (docs/SETTINGS.md)");
+  app.add_option("--set", set, "any setting: key=value, repeatable (docs/SETTINGS.md)")
+      ->allow_extra_args(false);
   for (const Shorthand& s : kShorthands) {
     const std::string key = s.key;
     app.add_option_function<std::string>(

@@ -17,6 +17,12 @@ namespace slipstick {
 /// Adds `--winding` and `--resolution`.
 void add_mesh_options(CLI::App& app, LoadOptions& options);
 
+/// Adds an option whose value is `count` numbers in one word, "1,2.5,3": what follows it is not
+/// its.
+CLI::Option* add_numbers_option(CLI::App& app, const std::string& name,
+                                std::vector<double>& numbers, std::size_t count,
+                                const std::string& help);
+
 /// Adds `--bounds`.
 void add_bounds_option(CLI::App& app, std::vector<double>& bounds);
 /// What came of it. \return kInput unless they are six rising numbers or none.
@@ -35,6 +41,8 @@ struct ModelOptions {
 
   /// Everything but the path, which each command names for itself.
   void add_to(CLI::App& app);
+  /// Of them, what is needed to load it: `--as`, `--winding`, `--resolution`, `--bounds`.
+  void add_loading_to(CLI::App& app);
 
   [[nodiscard]] Result<LoadedModel> load() const;
   [[nodiscard]] PlacementRequest placement() const;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <optional>
 
@@ -25,6 +26,10 @@ class Turnaround {
   /// The time within which a share of them, 0 to 1, were answered: at most 1/16 too much; 0 if
   /// there are none. What took longer than a minute counts as a minute.
   [[nodiscard]] Moment within(double share) const;
+  /// Likewise in seconds.
+  [[nodiscard]] double seconds_within(double share) const {
+    return std::chrono::duration<double>(within(share)).count();
+  }
 
  private:
   static constexpr unsigned kSteps = 16;  // from one power of two to the next

@@ -45,11 +45,9 @@ class ObjReader {
   }
 
   Result<void> read_vertex(std::string_view words) {
-    const auto x = parse_number(take_word(words));
-    const auto y = parse_number(take_word(words));
-    const auto z = parse_number(take_word(words));
-    if (!x || !y || !z) return damaged("expected a vertex of three finite numbers");
-    mesh_.vertices.push_back({*x, *y, *z});
+    const auto point = take_point(words);
+    if (!point) return damaged("expected a vertex of three finite numbers");
+    mesh_.vertices.push_back(*point);
     return {};
   }
 

@@ -54,11 +54,9 @@ class OffReader {
   Result<void> read_vertices(std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
       std::string_view line = next_line();
-      const auto x = parse_number(take_word(line));
-      const auto y = parse_number(take_word(line));
-      const auto z = parse_number(take_word(line));
-      if (!x || !y || !z) return damaged("expected a vertex of three finite numbers");
-      mesh_.vertices.push_back({*x, *y, *z});
+      const auto point = take_point(line);
+      if (!point) return damaged("expected a vertex of three finite numbers");
+      mesh_.vertices.push_back(*point);
     }
     return {};
   }

@@ -1,5 +1,7 @@
 #include "core/formats/mesh_words.h"
 
+#include "core/base/number_text.h"
+
 namespace slipstick {
 namespace {
 
@@ -26,6 +28,14 @@ std::string_view take_word(std::string_view& rest) {
   const std::string_view word = rest.substr(0, rest.find_first_of(kBlanks));
   rest.remove_prefix(word.size());
   return word;
+}
+
+std::optional<Vec3> take_point(std::string_view& rest) {
+  const auto x = parse_number(take_word(rest));
+  const auto y = parse_number(take_word(rest));
+  const auto z = parse_number(take_word(rest));
+  if (!x || !y || !z) return {};
+  return Vec3{*x, *y, *z};
 }
 
 }  // namespace slipstick

@@ -3,6 +3,8 @@
 #include <optional>
 #include <string_view>
 
+#include "core/base/vec.h"
+
 namespace slipstick {
 
 /// \file
@@ -13,5 +15,8 @@ namespace slipstick {
 
 /// The next word; empty when only white space is left.
 [[nodiscard]] std::string_view take_word(std::string_view& rest);
+
+/// The next three words as a point. Nothing unless they are finite numbers.
+[[nodiscard]] std::optional<Vec3> take_point(std::string_view& rest);
 
 }  // namespace slipstick

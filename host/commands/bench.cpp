@@ -188,7 +188,9 @@ void add_bench_command(CLI::App& app, ChosenCommand& run) {
   CLI::App* sub = bench->add_subcommand("paper", "the paper's tables, and ours beside them");
   sub->add_option("--models", command->models,
                   "folder of the models that stand for the paper's; default: SLIPSTICK_MODELS");
-  sub->add_option("--only", command->only, "rows by name: Dragon, Gear")->delimiter(',');
+  sub->add_option("--only", command->only, "rows by name: Dragon, Gear")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   sub->add_option("--method", command->method, "ours, or the paper's on the same images")
       ->check(CLI::IsMember({"ours", "paper"}));
   sub->add_option("--threads", command->threads, "0: one a core")->check(CLI::Range(0, 256));

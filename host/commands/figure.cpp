@@ -115,10 +115,8 @@ void add_figure_command(CLI::App& app, ChosenCommand& run) {
                                 "which layer, from 0; without it the one halfway up");
   sub->add_option("--height", command->layer.height, "the layer at this height above the bed, mm")
       ->excludes(layer);
-  sub->add_option("--window", command->window,
-                  "what to show of the layer, mm on the bed: X0,Y0,X1,Y1")
-      ->delimiter(',')
-      ->expected(4);
+  add_numbers_option(*sub, "--window", command->window, 4,
+                     "what to show of the layer, mm on the bed: X0,Y0,X1,Y1");
   sub->add_option("--side", command->side, "of a stack: the longest side of the picture, pixels")
       ->check(CLI::Range(100, 8000))
       ->capture_default_str();

@@ -108,7 +108,7 @@ void add_verify_command(CLI::App& app, ChosenCommand& run) {
   CLI::App* sub = app.add_subcommand("verify", "check contours independently of what made them");
   sub->add_option("file", command->file, "contours, .jsonl")->required();
   sub->add_option("--against", command->against.path, "the model: its samples must be separated");
-  sub->add_option("--bounds", command->against.bounds, "as for slice")->delimiter(',')->expected(6);
+  command->against.add_loading_to(*sub);
   sub->add_flag("--json", command->json, "print the result as JSON");
   sub->footer("Example: slipstick verify sphere.jsonl --against configs/solids/gyroid_sphere.lua");
   sub->callback([command, &run] { run = [command] { return run_verify(*command); }; });

@@ -37,10 +37,6 @@ class CountedLines final : public LineSource {
   std::int64_t count_ = 0;
 };
 
-double seconds(Moment time) {
-  return std::chrono::duration<double>(time).count();
-}
-
 Json sim_json(const PrintVerdict& verdict) {
   return {{"layers", verdict.layers},
           {"components_wrong", verdict.components_wrong},
@@ -130,8 +126,8 @@ class TaskRun {
     report_["lines"] = outcome->counters.lines_acknowledged;
     report_["resends"] = outcome->counters.resends;
     report_["starved_seconds"] = outcome->starved_seconds;
-    report_["turnaround_p50"] = seconds(outcome->turnaround.within(0.5));
-    report_["turnaround_p99"] = seconds(outcome->turnaround.within(0.99));
+    report_["turnaround_p50"] = outcome->turnaround.seconds_within(0.5);
+    report_["turnaround_p99"] = outcome->turnaround.seconds_within(0.99);
     report_["seconds"] = outcome->seconds;
     if (link_->sim == nullptr) return {};
     link_->sim->run_down(kRunDownMax);

@@ -9,10 +9,6 @@ using SteadyTime = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kInterval{250};
 
-double seconds(Moment time) {
-  return std::chrono::duration<double>(time).count();
-}
-
 std::string one_line(const nlohmann::ordered_json& json) {
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
@@ -44,8 +40,8 @@ void StatusReporter::turn(PrintControl::Wish wish, const StreamFigures& figures)
   status_.lines_sent = static_cast<std::int64_t>(figures.counters.lines_sent);
   status_.resends = static_cast<std::int64_t>(figures.counters.resends);
   status_.starved_seconds = figures.starved_seconds;
-  status_.turnaround_half = seconds(figures.turnaround.within(0.5));
-  status_.turnaround_99 = seconds(figures.turnaround.within(0.99));
+  status_.turnaround_half = figures.turnaround.seconds_within(0.5);
+  status_.turnaround_99 = figures.turnaround.seconds_within(0.99);
   tell("progress");
 }
 

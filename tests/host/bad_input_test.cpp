@@ -1,8 +1,10 @@
 // Whatever a user gives, a wrong thing is answered by one clear line and status 1, and leaves
 // nothing behind.
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <fstream>
+#include <utility>
 
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
@@ -149,12 +151,19 @@ TEST_CASE("A full disk leaves nothing half written") {
   const Workplace place;
   const std::string model = place.file("a.lua", kBall);
 
-  const auto finished = test::run({"sh", "-c",
-                                   "ulimit -f 8; trap '' XFSZ; " + std::string(SLIPSTICK_BINARY) +
-                                       " slice " + model + " -o " + place.path("a.gcode")});
+  const std::array<std::pair<const char*, const char*>, 3> outputs{
+      {{" slice ", "a.gcode"},
+       {" convert ", "a.ldni"},
+       {" figure --window 105,105,115,115 image ", "a.svg"}}};
 
-  CHECK_THAT(refusal(finished), Contains("cannot write") && Contains("a.gcode"));
-  CHECK(place.count() == 1);
+  for (const auto& [command, output] : outputs) {
+    const auto finished = test::run({"sh", "-c",
+                                     "ulimit -f 8; trap '' XFSZ; " + std::string(SLIPSTICK_BINARY) +
+                                         command + model + " -o " + place.path(output)});
+
+    CHECK_THAT(refusal(finished), Contains("cannot write") && Contains(output));
+    CHECK(place.count() == 1);
+  }
 }
 
 TEST_CASE("A disk that fills up during a print costs the journal, not the print") {
@@ -207,11 +216,27 @@ TEST_CASE("Wrong usage is status 2") {
   CHECK(test::slipstick({"print", "--port", "sim:"}).status == 2);
   CHECK(test::slipstick({"print", "a.lua", "--port", "sim:", "--recover"}).status == 2);
   CHECK(test::slipstick({"print", "a.lua", "--resume", "a.journal"}).status == 2);
-  CHECK(test::slipstick({"slice", "a.lua", "-o", "a.gcode", "--fit", "1,2"}).status == 2);
+  for (const char* numbers : {"1,2", "1,2,3,4", "1,2,x", "1,2,", "", "1;2;3"}) {
+    const auto finished = test::slipstick({"slice", "a.lua", "-o", "a.gcode", "--fit", numbers});
+    CHECK(finished.status == 2);
+    CHECK_THAT(finished.err, Contains("--fit") && Contains("3 numbers"));
+  }
+}
+
+TEST_CASE("Options may stand before the model") {
+  const Workplace place;
+  const std::string model = place.file("a.lua", kBall);
+
+  const auto finished = test::slipstick({"slice", "--fit", "9,9,9", "--set", "sampling=0.3", model,
+                                         "--bounds", "0,0,0,1,1,1", "-o", place.path("a.jsonl")});
+
+  INFO(finished.err);
+  CHECK(finished.status == 0);
 }
 
 TEST_CASE("Every command has help with an example") {
-  for (const char* command : {"slice", "print", "sim", "verify", "info", "ports"}) {
+  for (const char* command :
+       {"slice", "print", "sim", "verify", "info", "ports", "convert", "figure", "serve"}) {
     const auto finished = test::slipstick({command, "--help"});
 
     CHECK(finished.status == 0);

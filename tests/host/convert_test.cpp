@@ -100,6 +100,18 @@ TEST_CASE("A mesh is the same solid as it is, as images, as a tree, and converte
   }
 }
 
+TEST_CASE("Contours are verified against the representation that they were sliced from") {
+  const Workshop shop;
+  const std::string torus = shop.mesh("torus.off", 1);
+  for (const std::string as : {"mesh", "ldni", "bsp"}) {
+    CHECK(shop.volume(torus, {"--as", as, "--resolution", "90"}) > 0);
+    const auto verified = test::slipstick(
+        {"verify", shop.path("out.jsonl"), "--against", torus, "--as", as, "--resolution", "90"});
+    INFO(as << ": " << verified.err);
+    CHECK(verified.status == 0);
+  }
+}
+
 TEST_CASE("A script becomes images by sampling") {
   const Workshop shop;
   const std::string ball = shop.script("ball.lua", "return sphere(4)\n");

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <atomic>
+#include <catch2/catch.hpp>
+#include <chrono>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -76,7 +78,8 @@ class RunningDaemon {
   std::uint16_t port_ = 0;
 };
 
-/// Listens to the events of a daemon.
+/// Listens to the events of a daemon. Waits at most two minutes for anything: the heartbeat keeps
+/// a stream open on which what is waited for never comes.
 class EventReader {
  public:
   explicit EventReader(const RunningDaemon& daemon) : client_(daemon.port()) {
@@ -88,22 +91,31 @@ class EventReader {
   /// The next event of `type` for which `wanted` holds; null if the stream ends before.
   template <typename Wanted>
   [[nodiscard]] nlohmann::json wait(const std::string& type, Wanted wanted) {
-    while (true) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(2);
+    while (std::chrono::steady_clock::now() < end) {
       const std::string text = client_.read_until("\n\n");
-      if (!text.ends_with("\n\n")) return {};
-      if (text.find("event: " + type + "\n") == text.npos) continue;
+      if (!text.ends_with("\n\n")) break;
+      const std::string seen = text.substr(0, text.find("\ndata: "));
+      const bool is_wanted = seen.ends_with("event: " + type);
+      if (!is_wanted && !seen.ends_with("event: state")) continue;
       const auto json = nlohmann::json::parse(text.substr(text.find("data: ") + 6));
-      if (wanted(json)) return json;
+      if (json.contains("job")) at_work_ = !json["job"].is_null();
+      if (is_wanted && wanted(json)) return json;
     }
+    UNSCOPED_INFO("no such event: " << type);
+    return {};
   }
-  /// The state after a job is over.
+  /// The state after the job that is under way, or else the next one, is over.
   [[nodiscard]] nlohmann::json wait_for_rest() {
-    static_cast<void>(wait("state", [](const auto& json) { return !json["job"].is_null(); }));
+    if (!at_work_) {
+      static_cast<void>(wait("state", [](const auto& json) { return !json["job"].is_null(); }));
+    }
     return wait("state", [](const auto& json) { return json["job"].is_null(); });
   }
 
  private:
   HttpClient client_;
+  bool at_work_ = false;  ///< By the last event that was seen.
 };
 
 inline std::string example(const std::string& name) {

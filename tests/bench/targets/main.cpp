@@ -13,7 +13,7 @@ using namespace slipstick::targets;
 
 int main(int argc, char** argv) {
   using Group = std::pair<std::string_view, std::vector<Row> (*)()>;
-  constexpr std::array<Group, 11> kGroups{{{"memory", memory_rows},
+  constexpr std::array<Group, 12> kGroups{{{"memory", memory_rows},
                                            {"layer", layer_rows},
                                            {"image", image_rows},
                                            {"scaling", scaling_rows},
@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
                                            {"errors", error_rows},
                                            {"placements", placement_rows},
                                            {"certificates", certificate_rows},
+                                           {"fit", fit_rows},
                                            {"simulation", simulation_rows},
                                            {"sender", sender_rows},
                                            {"daemon", daemon_rows}}};
@@ -29,7 +30,7 @@ int main(int argc, char** argv) {
     if (std::any_of(kGroups.begin(), kGroups.end(), named)) continue;
     fmt::print(stderr,
                "targets: no group '{}' (memory, layer, image, scaling, edges, errors, placements, "
-               "certificates, simulation, sender, daemon)\n",
+               "certificates, fit, simulation, sender, daemon)\n",
                argv[i]);
     return 2;
   }

@@ -18,6 +18,7 @@ namespace slipstick::targets {
 [[nodiscard]] std::vector<Row> error_rows();
 [[nodiscard]] std::vector<Row> placement_rows();
 [[nodiscard]] std::vector<Row> certificate_rows();
+[[nodiscard]] std::vector<Row> fit_rows();
 [[nodiscard]] std::vector<Row> simulation_rows();
 [[nodiscard]] std::vector<Row> sender_rows();
 [[nodiscard]] std::vector<Row> daemon_rows();
