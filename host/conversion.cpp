@@ -13,7 +13,6 @@
 #include "core/solid/ldni_sample.h"
 #include "core/solid/rbf_model.h"
 #include "host/mesh_as.h"
-#include "host/options.h"
 
 namespace slipstick {
 namespace {
@@ -24,12 +23,10 @@ struct Operands {
 };
 
 Result<Operands> loaded_operands(const ConversionRequest& request) {
-  LoadOptions options = request.loading;
-  if (const auto ok = apply_bounds(request.bounds, options); !ok) return fail(ok.error());
-  auto first = load_model(request.model, options);
+  auto first = load_model(request.model, request.loading);
   if (!first) return fail(first.error());
   if (request.with.empty()) return Operands{*std::move(first), {}};
-  auto second = load_model(request.with, options);
+  auto second = load_model(request.with, request.loading);
   if (!second) return fail(second.error());
   return Operands{*std::move(first), *std::move(second)};
 }

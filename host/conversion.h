@@ -18,7 +18,6 @@ struct ConversionRequest {
   std::filesystem::path with;    ///< Empty, or a second model, in the same frame.
   Boolean operation = Boolean::kUnion;
   LoadOptions loading;
-  std::vector<double> bounds;  ///< Six numbers, or none: the extent of a .vm.
 };
 
 /// A file to be written.

@@ -14,7 +14,7 @@
 namespace slipstick {
 namespace {
 
-constexpr double kInch = 25.4;
+constexpr double kMillimetresAnInch = 25.4;
 
 Vec3 vec3(const std::vector<double>& v) {
   return {v[0], v[1], v[2]};
@@ -136,7 +136,7 @@ Result<LoadedModel> ModelOptions::load() const {
 
 PlacementRequest ModelOptions::placement() const {
   PlacementRequest request;
-  request.unit = units == "inch" ? kInch : 1;
+  request.unit = units == "inch" ? kMillimetresAnInch : 1;
   request.scale = scale;
   if (!fit.empty()) request.fit = vec3(fit);
   if (!rotate.empty()) request.rotate = vec3(rotate);

@@ -15,19 +15,22 @@ namespace {
 
 struct ConvertCommand {
   ConversionRequest request;
+  std::vector<double> bounds;  ///< Six numbers, or none: the extent of a .vm.
   bool json = false;
 };
 
 CommandResult run_convert(const ConvertCommand& command) {
-  const auto converted = convert(command.request);
+  ConversionRequest request = command.request;
+  if (const auto ok = apply_bounds(command.bounds, request.loading); !ok) return fail(ok.error());
+  const auto converted = convert(request);
   if (!converted) return fail(converted.error());
-  if (const auto ok = write_file(command.request.output, converted->bytes); !ok) {
+  if (const auto ok = write_file(request.output, converted->bytes); !ok) {
     return fail(ok.error());
   }
   for (const std::string& warning : converted->warnings)
     fmt::print(stderr, "warning: {}\n", warning);
   if (command.json) {
-    const nlohmann::ordered_json json{{"output", command.request.output.string()},
+    const nlohmann::ordered_json json{{"output", request.output.string()},
                                       {"kind", converted->kind},
                                       {"size_of_representation", converted->size_text},
                                       {"bytes", converted->bytes.size()},
@@ -35,7 +38,7 @@ CommandResult run_convert(const ConvertCommand& command) {
     std::cout << json.dump(2) << '\n';
     return 0;
   }
-  fmt::print("{}: {}, {}, {} bytes\n", command.request.output.string(), converted->kind,
+  fmt::print("{}: {}, {}, {} bytes\n", request.output.string(), converted->kind,
              converted->size_text, converted->bytes.size());
   return 0;
 }
@@ -56,7 +59,7 @@ void add_convert_command(CLI::App& app, ChosenCommand& run) {
                                          {"intersection", Boolean::kIntersection},
                                          {"difference", Boolean::kDifference}}));
   add_mesh_options(*sub, request.loading);
-  add_bounds_option(*sub, request.bounds);
+  add_bounds_option(*sub, command->bounds);
   sub->add_flag("--json", command->json, "print as JSON");
   sub->footer("Example: slipstick convert bunny.ply -o bunny.ldni --resolution 1500");
   sub->callback([command, &run] { run = [command] { return run_convert(*command); }; });
