@@ -1,8 +1,8 @@
 # What is installed, and the Debian package: program, configs, the unit of systemd. It has no maintainer scripts: the unit
 # brings its own user and folder, and runs once somebody has said which printer there is.
 install(TARGETS slipstick RUNTIME DESTINATION bin)
-install(DIRECTORY configs/ DESTINATION share/slipstick/configs PATTERN slipstick.service EXCLUDE)
-install(FILES configs/slipstick.service DESTINATION lib/systemd/system)
+install(DIRECTORY configs/ DESTINATION share/slipstick/configs PATTERN *.service EXCLUDE)
+install(FILES configs/slipstick.service configs/slipstick@.service DESTINATION lib/systemd/system)
 install(FILES README.md CHANGELOG.md DESTINATION share/doc/slipstick)
 install(FILES host/serve/README.md DESTINATION share/doc/slipstick RENAME DAEMON.md)
 

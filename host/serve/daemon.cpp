@@ -10,6 +10,7 @@
 #include "drivers/unique_fd.h"
 #include "host/serve/access.h"
 #include "host/serve/api_key.h"
+#include "host/serve/hook_runner.h"
 #include "host/serve/service_manager.h"
 
 namespace slipstick {
@@ -40,12 +41,13 @@ class Daemon::Implementation {
       : lock_(std::move(lock)), options_(options), events_([this] { server_->wake(); }) {}
 
   Result<void> start() {
+    if (!options_.hooks.empty()) hooks_.emplace(options_.hooks, events_);
     auto server = HttpServer::listen(options_.listen, site(), options_.http);
     if (!server) return fail(server.error());
     server_ = std::move(*server);
     if (const auto ok = make_rules(); !ok) return ok;
-    auto worker =
-        PrinterWorker::start({options_.data, options_.port, options_.defaults}, board_, events_);
+    auto worker = PrinterWorker::start(
+        {options_.data, options_.port, options_.defaults, options_.power_on}, board_, events_);
     if (!worker) return fail(worker.error());
     worker_ = std::move(*worker);
     for (auto* services : {&quick_, &slow_}) {
@@ -60,7 +62,7 @@ class Daemon::Implementation {
                                  events_,
                                  began_});
     }
-    return {};
+    return tell_broker();
   }
 
   void run(const std::function<bool()>& goes_on) {
@@ -81,6 +83,24 @@ class Daemon::Implementation {
               return route.handle(request, route.kind == RouteKind::kSlow ? *slow_ : *quick_);
             },
             [this] { return quick_->store.incoming(fmt::format("{}", ++uploads_)); }};
+  }
+
+  Result<void> tell_broker() {
+    if (!options_.mqtt) return {};
+    auto bridge = MqttBridge::start(*options_.mqtt, events_, board_,
+                                    [this](PrinterCommand command) { return obey(command); });
+    if (!bridge) return fail(bridge.error());
+    bridge_ = std::move(*bridge);
+    return {};
+  }
+
+  Result<void> obey(PrinterCommand command) {
+    if (command == PrinterCommand::kEmergencyStop) return worker_->emergency_stop();
+    const bool done = command == PrinterCommand::kPause    ? worker_->pause()
+                      : command == PrinterCommand::kResume ? worker_->resume()
+                                                           : worker_->cancel(board_.get().job);
+    if (done) return {};
+    return fail(ErrorCode::kPrinter, "no print is under way to which it applies");
   }
 
   Result<void> make_rules() {
@@ -112,7 +132,9 @@ class Daemon::Implementation {
   std::optional<Services> quick_;
   std::optional<Services> slow_;
   std::int64_t uploads_ = 0;
-  std::unique_ptr<PrinterWorker> worker_;  // ends first: it publishes events
+  std::optional<HookRunner> hooks_;
+  std::unique_ptr<PrinterWorker> worker_;  // ends before those: it publishes events
+  std::unique_ptr<MqttBridge> bridge_;     // ends first: it commands the worker
 };
 
 Daemon::Daemon(std::unique_ptr<Implementation> implementation)

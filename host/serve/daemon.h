@@ -3,10 +3,14 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "host/serve/hook.h"
 #include "host/serve/http_server.h"
 #include "host/serve/job_spec.h"
+#include "host/serve/mqtt_bridge.h"
 
 namespace slipstick {
 
@@ -19,6 +23,9 @@ class Daemon {
     std::string port;  ///< Of the printer.
     JobDefaults defaults;
     HttpLimits http;
+    std::optional<MqttBridge::Options> mqtt;  ///< Nobody is told without it.
+    std::optional<HookTarget> power_on;
+    std::vector<Hook> hooks;  ///< At most `HookRunner::kHooksMax`.
   };
 
   /// Opens everything; from then on requests are let wait. Only one daemon a data folder.

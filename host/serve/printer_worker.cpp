@@ -269,6 +269,7 @@ void PrinterWorker::print(const StoredJob& job, std::optional<Consent> take_up) 
   if (const auto ok = store_.end_job(job.id, came_to, unix_now()); !ok) {
     spdlog::error("job {}: {}", job.id, ok.error().message);
   }
+  reporter_.job_came_to(job.id, name_of(came_to.state), came_to.message);
   reporter_.job_ended(stopped ? PrinterActivity::kStopped : PrinterActivity::kIdle,
                       came_to.message);
 }
@@ -279,11 +280,20 @@ void PrinterWorker::stop_again() const {
   if (!told) spdlog::error("emergency stop: {}", told.error().message);
 }
 
+Result<void> PrinterWorker::switch_power_on(const StoredJob& job) const {
+  if (!options_.power_on) return {};
+  const auto told = options_.power_on->tell("power-on", {{"job", job.id}, {"file", job.file_name}});
+  // An error of the user's: a print that was to be taken up can still be.
+  if (!told) return fail(ErrorCode::kInput, "the power supply: " + told.error().message);
+  return {};
+}
+
 Result<std::string> PrinterWorker::printed(const StoredJob& job, std::optional<Consent> take_up) {
   const auto spec = job_spec_from_text(job.spec, options_.defaults);
   if (!spec) return fail(spec.error());
   const auto name = FileName::from(job.file_name);
   if (!name) return fail(name.error());
+  if (const auto on = switch_power_on(job); !on) return fail(on.error());
   const PrintTask task{store_.path_of(job.file, job.extension).string(),
                        job.file_name,
                        name->is_gcode(),

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host/resume_point.h"
+#include "host/serve/hook.h"
 #include "host/serve/job_spec.h"
 #include "host/serve/status_reporter.h"
 #include "host/serve/store.h"
@@ -31,6 +32,7 @@ class PrinterWorker {
     std::filesystem::path data;
     std::string port;
     JobDefaults defaults;
+    std::optional<HookTarget> power_on = {};  ///< Told before a print begins, which waits for it.
   };
 
   /// Recovers the store and begins. If a print was cut off by the end of an earlier process, the
@@ -71,6 +73,7 @@ class PrinterWorker {
   [[nodiscard]] std::optional<TakingUp> asked_to_take_up();
   [[nodiscard]] Result<bool> print_again(const TakingUp& what);
   void print(const StoredJob& job, std::optional<Consent> take_up);
+  [[nodiscard]] Result<void> switch_power_on(const StoredJob& job) const;
   [[nodiscard]] Result<std::string> printed(const StoredJob& job, std::optional<Consent> take_up);
   [[nodiscard]] Store::Ending ending(const Result<std::string>& printed);
   [[nodiscard]] std::shared_ptr<PrintControl> begin(std::int64_t id);

@@ -61,6 +61,13 @@ void StatusReporter::heard(const SenderEvent& event) {
   }
 }
 
+void StatusReporter::job_came_to(std::int64_t id, std::string_view state,
+                                 const std::string& message) {
+  events_.publish(
+      "jobs",
+      one_line({{"id", id}, {"file", status_.file}, {"state", state}, {"message", message}}));
+}
+
 void StatusReporter::job_ended(PrinterActivity activity, const std::string& message) {
   status_.job = 0;
   status_.connected = false;

@@ -6,14 +6,19 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <utility>
+
 #include "core/base/check.h"
 
 extern char** environ;
 
 namespace slipstick::test {
 
-ChildProcess::ChildProcess(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), SLIPSTICK_BINARY);
+ChildProcess::ChildProcess(std::vector<std::string> arguments)
+    : ChildProcess(SLIPSTICK_BINARY, std::move(arguments)) {}
+
+ChildProcess::ChildProcess(const std::string& program, std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), program);
   std::vector<char*> argv;
   for (std::string& word : arguments) argv.push_back(word.data());
   argv.push_back(nullptr);
@@ -24,7 +29,7 @@ ChildProcess::ChildProcess(std::vector<std::string> arguments) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, to.get(), STDOUT_FILENO);
-  SLIPSTICK_CHECK(::posix_spawn(&process_, argv[0], &actions, nullptr, argv.data(), environ) == 0);
+  SLIPSTICK_CHECK(::posix_spawnp(&process_, argv[0], &actions, nullptr, argv.data(), environ) == 0);
   posix_spawn_file_actions_destroy(&actions);
 }
 

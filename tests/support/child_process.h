@@ -9,11 +9,13 @@
 
 namespace slipstick::test {
 
-/// The `slipstick` that was built with the tests, as a process beside the test; killed with its
-/// owner.
+/// A process beside the test; killed with its owner.
 class ChildProcess {
  public:
+  /// The `slipstick` that was built with the tests.
   explicit ChildProcess(std::vector<std::string> arguments);
+  /// `program`, looked for as a shell does.
+  ChildProcess(const std::string& program, std::vector<std::string> arguments);
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
