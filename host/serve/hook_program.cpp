@@ -16,8 +16,6 @@
 
 #include "drivers/unique_fd.h"
 
-extern char** environ;
-
 namespace slipstick {
 namespace {
 

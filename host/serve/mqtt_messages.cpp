@@ -81,6 +81,7 @@ std::string mqtt_topic(std::string_view name, std::string_view ending) {
 
 std::vector<MqttMessage> mqtt_discovery(const std::string& name, MqttCommands commands) {
   std::vector<MqttMessage> messages;
+  messages.reserve(kSensors.size() + kCommands.size());
   for (const Sensor& sensor : kSensors) messages.push_back(sensor_config(name, sensor));
   if (commands == MqttCommands::kIgnored) return messages;
   for (const auto& command : kCommands) messages.push_back(button_config(name, command.first));
