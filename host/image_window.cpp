@@ -5,15 +5,19 @@ namespace slipstick {
 Result<ImageWindow::Image> ImageWindow::image(int layer) {
   if (layer < first_ || layer >= end_) return nothing_;
   std::unique_lock lock(mutex_);
-  const auto [at, is_first] = images_.try_emplace(layer);
+  std::shared_ptr<Slot>& known = images_[layer];
+  const bool is_first = !known;
+  if (is_first) known = std::make_shared<Slot>();
+  // It may be forgotten while it is waited for.
+  const std::shared_ptr<Slot> slot = known;
   if (!is_first) {
-    ready_.wait(lock, [&, slot = at] { return slot->second.has_value(); });
-    return *at->second;
+    ready_.wait(lock, [&] { return slot->has_value(); });
+    return **slot;
   }
   lock.unlock();
   Result<Image> result = make_(layer);
   lock.lock();
-  at->second = result;
+  *slot = result;
   ready_.notify_all();
   return result;
 }

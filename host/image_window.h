@@ -31,7 +31,7 @@ class ImageWindow {
   /// The image of `layer`; above and below those there are it is empty.
   [[nodiscard]] Result<Image> image(int layer);
 
-  /// Drops what is below `layer`. The caller promises that nobody asks for it again.
+  /// Drops what is below `layer`; whoever asks for it again has it made again.
   void forget_below(int layer);
 
  private:
@@ -42,7 +42,8 @@ class ImageWindow {
 
   std::mutex mutex_;  // protects everything below; never held while making
   std::condition_variable ready_;
-  std::map<int, std::optional<Result<Image>>> images_;  // nothing: being made
+  using Slot = std::optional<Result<Image>>;  // nothing: being made
+  std::map<int, std::shared_ptr<Slot>> images_;
 };
 
 }  // namespace slipstick

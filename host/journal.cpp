@@ -80,6 +80,11 @@ void Journal::began(const LayerMark& mark) {
   write(layer_record(mark));
 }
 
+void Journal::changed(const SettingsChange& change) {
+  write(change_record(change));
+  sync();
+}
+
 void Journal::turn(const SenderCounters& counters, Moment now) {
   const std::uint64_t taken = base_ + counters.lines_sure;
   if (taken != taken_ && now - taken_at_ >= kTakenInterval) {

@@ -38,6 +38,8 @@ class Journal {
   /// Before the bytes go out that the event is about.
   void heard(const SenderEvent& event);
   void began(const LayerMark& mark);
+  /// Before `began` of the first layer that has it.
+  void changed(const SettingsChange& change);
   void turn(const SenderCounters& counters, Moment now);
   void ended(JournalEnd end);
 

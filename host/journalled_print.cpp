@@ -44,6 +44,16 @@ Result<void> JournalledPrint::identify(const std::filesystem::path& model,
   return {};
 }
 
+Result<void> JournalledPrint::keep(std::shared_ptr<SettingsTimeline> timeline) {
+  timeline_ = std::move(timeline);
+  if (!content_) return {};
+  changes_written_ = content_->changes.size();
+  const int begun = content_->layers.empty() ? 0 : content_->layers.back().layer + 1;
+  const auto taken_up = timeline_->take_up(content_->changes, begun);
+  if (!taken_up) return fail(taken_up.error().within(path_.string()));
+  return {};
+}
+
 Result<void> JournalledPrint::find(Transport& transport, const Clock& clock) {
   if (header_) {
     auto journal = Journal::create(path_, *header_);
@@ -105,7 +115,19 @@ Result<void> JournalledPrint::go_on(StreamOptions& options) {
   auto journal = Journal::go_on(path_, *content_, point_.line);
   if (!journal) return fail(journal.error());
   journal_.emplace(*std::move(journal));
+  write_changes();
+  if (timeline_) timeline_->go_on();
   return {};
+}
+
+// Of the layers that were begun.
+void JournalledPrint::write_changes() {
+  if (!journal_ || !timeline_) return;
+  const auto changes = timeline_->changes();
+  for (; changes_written_ < changes.size(); ++changes_written_) {
+    if (changes[changes_written_].from_layer > layer_) return;
+    journal_->changed(changes[changes_written_]);
+  }
 }
 
 // What the print has set up before the line where it goes on, for a board that has forgotten it.
@@ -126,6 +148,8 @@ void JournalledPrint::began(int layer, std::string_view program) {
   const std::uint32_t sum = checksum(program);
   const auto first = first_layer();
   if (first && first->layer == layer) same_layer_ = sum == first->program;
+  layer_ = layer;
+  write_changes();
   if (journal_ && lines_) journal_->began({layer, lines_->line(), sum, lines_->state().state()});
 }
 

@@ -9,6 +9,7 @@
 #include "core/job/settings.h"
 #include "host/journal.h"
 #include "host/resume_point.h"
+#include "host/settings_timeline.h"
 #include "host/stream_job.h"
 #include "host/tracked_lines.h"
 
@@ -16,7 +17,8 @@ namespace slipstick {
 
 /// A print and its journal: kept from the beginning, or gone on with; or none at all.
 ///
-/// In this order: `identify`, `find` with an open port, `begin` with the lines, `ended`.
+/// In this order: `identify`, of a model `keep`, `find` with an open port, `begin` with the lines,
+/// `ended`.
 class JournalledPrint {
  public:
   JournalledPrint() = default;
@@ -32,6 +34,11 @@ class JournalledPrint {
   /// \return kInput if the model or the settings are not those of the print that was cut off.
   [[nodiscard]] Result<void> identify(const std::filesystem::path& model,
                                       const PrintSettings& settings);
+
+  /// Layers have the settings of `timeline`: what the journal tells of changes is done again, and
+  /// others are written down before the first layer that has them.
+  /// \return kInput if it tells what cannot be.
+  [[nodiscard]] Result<void> keep(std::shared_ptr<SettingsTimeline> timeline);
 
   /// Begins the journal; or asks the printer where it stands.
   /// \return as Journal::create, resume_point.
@@ -53,6 +60,7 @@ class JournalledPrint {
 
  private:
   [[nodiscard]] Result<void> go_on(StreamOptions& options);
+  void write_changes();
   [[nodiscard]] std::vector<Line> board_settings() const;
 
   std::filesystem::path path_;
@@ -62,6 +70,9 @@ class JournalledPrint {
   ResumePoint point_;
   std::optional<TrackedLines> lines_;
   std::optional<Journal> journal_;
+  std::shared_ptr<SettingsTimeline> timeline_;
+  std::size_t changes_written_ = 0;
+  int layer_ = -1;  ///< The last that began.
   bool same_layer_ = true;
   std::string start_;  ///< The G-code before the first layer, if there are layers.
 };

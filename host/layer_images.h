@@ -27,7 +27,7 @@ class LayerImages {
   /// The image of `layer`; above and below the stack it is empty.
   [[nodiscard]] Result<Image> image(int layer) { return windows_.back()->image(layer); }
 
-  /// Drops what only layers below `layer` need. The caller promises that nobody asks for it again.
+  /// Drops what only layers below `layer` need; whoever asks for it again has it made again.
   void forget_below(int layer);
 
   /// Seconds spent sampling and regularizing so far, summed over threads.

@@ -25,35 +25,37 @@ std::size_t count_violations(const Outline& outline, const BitImage& image) {
 }  // namespace
 
 LayerSlicer::LayerSlicer(const PlacedSolid& placed, const SliceGrid& grid, const LayerStack& stack,
-                         const PrintSettings& settings, SliceGoal goal)
+                         SettingsTimeline& settings, SliceGoal goal)
     : solid_(placed.solid),
       bounds_(placed.bounds),
       stack_(stack),
       settings_(settings),
+      slicing_(settings.original().slicing),
       goal_(goal),
-      images_(placed.solid, grid, stack, settings.slicing.regularize) {}
+      images_(placed.solid, grid, stack, slicing_.regularize) {}
 
 Result<SlicedLayer> LayerSlicer::slice(int layer) {
+  const SettingsTimeline::OfLayer settings = settings_.begin(layer);
   const auto image = images_.image(layer);
   if (!image) return fail(image.error());
   SlicedLayer result = contours(layer, *image);
-  if (settings_.slicing.certify != Certification::kOff) certify(result);
+  if (slicing_.certify != Certification::kOff) certify(result);
   if (goal_ == SliceGoal::kToolpaths) {
-    if (const auto ok = add_toolpaths(**image, result); !ok) return fail(ok.error());
+    if (const auto ok = add_toolpaths(settings, result); !ok) return fail(ok.error());
   }
   return result;
 }
 
 void LayerSlicer::finished_below(int layer) {
-  images_.forget_below(layer - settings_.toolpath.bottom_layers);
+  images_.forget_below(layer - settings_.bottom_layers_from(layer));
 }
 
 SlicedLayer LayerSlicer::contours(int layer, const ImageWindow::Image& image) const {
   StepSeconds seconds;
   Stopwatch watch;
-  ContourSet traced = trace(*image, settings_.slicing.ambiguity);
+  ContourSet traced = trace(*image, slicing_.ambiguity);
   seconds.contour = watch.lap();
-  place_contours(traced, settings_.slicing.place, *solid_, stack_.middle(layer));
+  place_contours(traced, slicing_.place, *solid_, stack_.middle(layer));
   seconds.place = watch.lap();
   Simplified simplified = simplify(traced);
   seconds.simplify = watch.lap();
@@ -75,16 +77,15 @@ SlicedLayer LayerSlicer::contours(int layer, const ImageWindow::Image& image) co
 // The slice and the slab above it; what is below the first slice belongs to that, too.
 void LayerSlicer::certify(SlicedLayer& layer) const {
   const auto field = solid_->field();
-  if (!field || settings_.slicing.regularize > 0) return;
+  if (!field || slicing_.regularize > 0) return;
   Stopwatch watch;
   const BitImage& image = *layer.image;
   const double beyond = image.grid().width();
   const bool last = layer.index + 1 == stack_.count();
   const double above =
       last ? std::max(bounds_.high.z, layer.middle) + beyond : stack_.middle(layer.index + 1);
-  const CertifyEffort effort = settings_.slicing.certify == Certification::kStrict
-                                   ? CertifyEffort::kThorough
-                                   : CertifyEffort::kQuick;
+  const CertifyEffort effort =
+      slicing_.certify == Certification::kStrict ? CertifyEffort::kThorough : CertifyEffort::kQuick;
   LayerCertificate certificate = certify_layer(*field, image, layer.middle, above, effort);
   if (layer.index == 0) {
     const double low = std::min(bounds_.low.z, layer.middle) - beyond;
@@ -95,9 +96,8 @@ void LayerSlicer::certify(SlicedLayer& layer) const {
 }
 
 Simplified LayerSlicer::simplify(const ContourSet& contours) const {
-  const SimplifyOptions options{settings_.slicing.tolerance, settings_.slicing.alpha,
-                                settings_.slicing.candidates};
-  switch (settings_.slicing.simplify) {
+  const SimplifyOptions options{slicing_.tolerance, slicing_.alpha, slicing_.candidates};
+  switch (slicing_.simplify) {
     case Simplification::kFewest:
       return simplify_fewest(contours, options);
     case Simplification::kVsa:
@@ -110,17 +110,19 @@ Simplified LayerSlicer::simplify(const ContourSet& contours) const {
   return keep_all(contours);
 }
 
-Result<void> LayerSlicer::add_toolpaths(const BitImage& image, SlicedLayer& layer) {
-  const auto above = common_part(layer.index + 1, layer.index + settings_.toolpath.top_layers);
+Result<void> LayerSlicer::add_toolpaths(const SettingsTimeline::OfLayer& settings,
+                                        SlicedLayer& layer) {
+  const ToolpathSettings& toolpath = settings.own->toolpath;
+  const auto above = common_part(layer.index + 1, layer.index + toolpath.top_layers);
   if (!above) return fail(above.error());
-  const auto below = common_part(layer.index - settings_.toolpath.bottom_layers, layer.index - 1);
+  const auto below = common_part(layer.index - toolpath.bottom_layers, layer.index - 1);
   if (!below) return fail(below.error());
   Stopwatch watch;
-  layer.toolpaths = plan_layer({layer.index, layer.top, stack_.thickness(layer.index), image,
+  layer.toolpaths = plan_layer({layer.index, layer.top, stack_.thickness(layer.index), *layer.image,
                                 layer.contours.outline, *above, *below},
-                               settings_);
+                               *settings.own);
   layer.seconds.toolpath = watch.lap();
-  layer.program = write_layer(*layer.toolpaths, settings_);
+  layer.program = write_layer(*layer.toolpaths, *settings.own, *settings.below);
   layer.seconds.gcode = watch.lap();
   return {};
 }

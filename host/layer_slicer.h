@@ -4,8 +4,8 @@
 
 #include "core/job/layers.h"
 #include "core/job/placement.h"
-#include "core/job/settings.h"
 #include "host/layer_images.h"
+#include "host/settings_timeline.h"
 #include "host/sliced_layer.h"
 
 namespace slipstick {
@@ -18,8 +18,9 @@ enum class SliceGoal { kContours, kToolpaths };
 /// Threads: `slice` is called by several workers at once.
 class LayerSlicer {
  public:
+  /// \param settings of each layer; it outlives this.
   LayerSlicer(const PlacedSolid& placed, const SliceGrid& grid, const LayerStack& stack,
-              const PrintSettings& settings, SliceGoal goal);
+              SettingsTimeline& settings, SliceGoal goal);
 
   /// \return kInput if the solid is undefined somewhere in a plane that the layer needs.
   [[nodiscard]] Result<SlicedLayer> slice(int layer);
@@ -36,13 +37,15 @@ class LayerSlicer {
   [[nodiscard]] SlicedLayer contours(int layer, const ImageWindow::Image& image) const;
   void certify(SlicedLayer& layer) const;
   [[nodiscard]] Simplified simplify(const ContourSet& contours) const;
-  [[nodiscard]] Result<void> add_toolpaths(const BitImage& image, SlicedLayer& layer);
+  [[nodiscard]] Result<void> add_toolpaths(const SettingsTimeline::OfLayer& settings,
+                                           SlicedLayer& layer);
   [[nodiscard]] Result<BitImage> common_part(int from, int to);
 
   const std::shared_ptr<const Solid> solid_;
   const Box3 bounds_;
   const LayerStack stack_;
-  const PrintSettings settings_;
+  SettingsTimeline& settings_;
+  const SlicingSettings slicing_;  // no layer has others
   const SliceGoal goal_;
   LayerImages images_;
 };

@@ -173,7 +173,7 @@ Result<SlicingRequest> SlicingOptions::request(SliceGoal goal) const {
   overrides.insert(overrides.end(), set.begin(), set.end());
   auto settings = load_settings({printer, material, profile, overrides, {}});
   if (!settings) return fail(settings.error());
-  SlicingRequest request{std::move(*settings), goal, threads, 0, {}};
+  SlicingRequest request{std::move(*settings), goal, threads, 0, {}, {}};
   if (const auto ok = apply_layers(layers, request); !ok) return fail(ok.error());
   return request;
 }

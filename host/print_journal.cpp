@@ -8,17 +8,21 @@
 
 #include "core/base/number_text.h"
 #include "host/checksum.h"
+#include "host/settings_changes_text.h"
 
 namespace slipstick {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// 1 counted lines of a file that are no longer sent (StatusPace).
-constexpr int kVersion = 2;
+/// 1 counted lines of a file that are no longer sent (StatusPace); 2 knew no changes of settings,
+/// and is read.
+constexpr int kVersion = 3;
+constexpr int kOldestVersion = 2;
 constexpr std::size_t kSumSize = 9;  // '*' and eight digits
 constexpr std::size_t kOthersMax = 1'000'000;
 constexpr std::size_t kLayersMax = 1'000'000;
+constexpr std::size_t kChangesMax = 1'000;
 constexpr LineNumber kNumberMax = 1'000'000'000;
 
 std::string record(std::string_view payload) {
@@ -80,7 +84,8 @@ std::optional<JournalHeader> header_of(std::string_view payload) {
   if (!payload.starts_with("H ")) return {};
   const Json json = Json::parse(payload.substr(2), nullptr, false);
   try {
-    if (json.at("slipstick") != kVersion) return {};
+    const int version = json.at("slipstick");
+    if (version < kOldestVersion || version > kVersion) return {};
     return JournalHeader{json.at("folder"), json.at("words"), json.at("model"),
                          json.at("settings")};
   } catch (const Json::exception&) {
@@ -113,6 +118,7 @@ class Reader {
     if (kind == "I") return inserted(words);
     if (kind == "L") return layer(words);
     if (kind == "T") return taken(words);
+    if (kind == "C") return change(words);
     return kind == "E" && end(words);
   }
 
@@ -187,6 +193,15 @@ class Reader {
     return true;
   }
 
+  bool change(const Words& words) {
+    auto change = parse_change(words.rest());
+    auto& changes = content_.changes;
+    if (!change || changes.size() >= kChangesMax) return false;
+    if (!changes.empty() && change->from_layer < changes.back().from_layer) return false;
+    changes.push_back(*std::move(change));
+    return true;
+  }
+
   JournalContent& content_;
 };
 
@@ -240,6 +255,10 @@ std::string layer_record(const LayerMark& mark) {
   for (const auto& axis : s.position) append(text, axis);
   for (const auto& value : {s.feed, s.nozzle, s.bed, s.fan, s.top}) append(text, value);
   return record(text);
+}
+
+std::string change_record(const SettingsChange& change) {
+  return record("C " + change_text(change));
 }
 
 std::string taken_record(std::uint64_t lines) {

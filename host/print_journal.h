@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/job/settings_change.h"
 #include "drivers/marlin/framing.h"
 #include "drivers/marlin/print_state.h"
 
@@ -68,7 +69,8 @@ struct JournalContent {
   JournalHeader header;
   std::optional<JournalSession> session;  ///< The last.
   std::vector<LayerMark> layers;          ///< Ascending; none of a G-code file.
-  std::uint64_t taken = 0;                ///< So many lines of the job were surely taken.
+  std::vector<SettingsChange> changes;  ///< In order: of all layers that `layers` tells, and more.
+  std::uint64_t taken = 0;              ///< So many lines of the job were surely taken.
   JournalEnd end = JournalEnd::kCutOff;
   std::size_t size = 0;  ///< Bytes of whole records; what stands behind was cut off.
 };
@@ -80,6 +82,8 @@ struct JournalContent {
 /// A question was put before `number`; that and all behind it move up by one.
 [[nodiscard]] std::string inserted_record(LineNumber number);
 [[nodiscard]] std::string layer_record(const LayerMark& mark);
+/// Before the record of the first layer that has it.
+[[nodiscard]] std::string change_record(const SettingsChange& change);
 [[nodiscard]] std::string taken_record(std::uint64_t lines);
 [[nodiscard]] std::string end_record(JournalEnd end);
 

@@ -54,8 +54,11 @@ SlicingJob::SlicingJob(const PlacedSolid& placed, const SliceGrid& grid, const L
       end_(std::min(request.end_layer.value_or(stack.count()), stack.count())),
       threads_(thread_count(request.threads)),
       certification_(request.settings.slicing.certify),
-      slicer_(placed, grid, stack, request.settings, request.goal),
+      timeline_(request.timeline ? request.timeline
+                                 : std::make_shared<SettingsTimeline>(request.settings)),
+      slicer_(placed, grid, stack, *timeline_, request.goal),
       ledger_(request.settings.slicing.ambiguity) {
+  timeline_->end_at(end_);
   crew_ = std::make_unique<OrderedCrew<SlicedLayer>>(
       OrderedCrew<SlicedLayer>::Options{first_, end_, threads_, threads_ + kReserve},
       [this](int layer) { return slicer_.slice(layer); });

@@ -18,6 +18,8 @@ struct SlicingRequest {
   int threads = 0;  ///< 0: one a core.
   int first_layer = 0;
   std::optional<int> end_layer;  ///< One past the last; nothing: all.
+  /// Where layers may have other settings than the first; `settings` are its original ones.
+  std::shared_ptr<SettingsTimeline> timeline = nullptr;
 };
 
 /// What a job adds up to, so far.
@@ -73,6 +75,7 @@ class SlicingJob {
   const int end_;
   const int threads_;
   const Certification certification_;
+  const std::shared_ptr<SettingsTimeline> timeline_;
   LayerSlicer slicer_;
   SlicingTotals totals_;
   StackLedger ledger_;

@@ -25,6 +25,15 @@ void MoveWriter::line(std::string_view text) {
   text_ += '\n';
 }
 
+void MoveWriter::retracted_by(double mm) {
+  const MaterialSettings& m = settings_.material;
+  if (mm == m.retraction) return;
+  text_ += "G1 E";
+  append_rounded(text_, mm - m.retraction, 5);
+  append_feed(m.retraction_speed);
+  text_ += '\n';
+}
+
 void MoveWriter::height(double z) {
   if (z == z_) return;
   if (!retracted_) retract();

@@ -14,6 +14,8 @@ class MoveWriter {
   explicit MoveWriter(const PrintSettings& settings) : settings_(settings) {}
 
   void line(std::string_view text);
+  /// What came before has left the filament drawn back by `mm`. \pre Nothing was written yet.
+  void retracted_by(double mm);
   /// The nozzle's height; no move if it is there.
   void height(double z);
   /// A travel, retracted if it is long. \pre `height` was set.

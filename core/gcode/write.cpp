@@ -39,12 +39,15 @@ struct Pace {
 
 class LayerWriter {
  public:
-  LayerWriter(const LayerToolpaths& layer, const PrintSettings& settings)
-      : layer_(layer), settings_(settings), moves_(settings) {}
+  LayerWriter(const LayerToolpaths& layer, const PrintSettings& settings,
+              const PrintSettings& below)
+      : layer_(layer), settings_(settings), below_(below), moves_(settings) {}
 
   LayerProgram run(Pace pace) {
     moves_.line(fmt::format(";LAYER:{}", layer_.layer));
-    change_of_layer();
+    moves_.retracted_by(below_.material.retraction);
+    if (layer_.layer == 1) leave_first_layer();
+    if (layer_.layer > 1) leave_layer_below();
     moves_.height(layer_.top);
     for (const Bead& bead : layer_.beads) lay(bead, pace);
     moves_.retract();
@@ -52,17 +55,25 @@ class LayerWriter {
   }
 
  private:
-  void change_of_layer() {
+  void leave_first_layer() {
     const MaterialSettings& m = settings_.material;
-    if (layer_.layer != 1) return;
-    moves_.line(fmt::format("M106 S{:.0f}", m.fan * kFullFan));
-    if (m.nozzle_celsius != m.first_layer_nozzle_celsius) {
-      moves_.line(fmt::format("M104 S{:.0f}", m.nozzle_celsius));
-    }
-    if (m.bed_celsius != m.first_layer_bed_celsius) {
-      moves_.line(fmt::format("M140 S{:.0f}", m.bed_celsius));
-    }
+    say_fan();
+    if (m.nozzle_celsius != m.first_layer_nozzle_celsius) say_nozzle();
+    if (m.bed_celsius != m.first_layer_bed_celsius) say_bed();
   }
+
+  // What was set by hand meanwhile stays, unless it is this that changes.
+  void leave_layer_below() {
+    const MaterialSettings& m = settings_.material;
+    const MaterialSettings& below = below_.material;
+    if (m.fan != below.fan) say_fan();
+    if (m.nozzle_celsius != below.nozzle_celsius) say_nozzle();
+    if (m.bed_celsius != below.bed_celsius) say_bed();
+  }
+
+  void say_fan() { moves_.line(fmt::format("M106 S{:.0f}", settings_.material.fan * kFullFan)); }
+  void say_nozzle() { moves_.line(fmt::format("M104 S{:.0f}", settings_.material.nozzle_celsius)); }
+  void say_bed() { moves_.line(fmt::format("M140 S{:.0f}", settings_.material.bed_celsius)); }
 
   void lay(const Bead& bead, Pace pace) {
     const Moves moves = resolvable_moves(bead, layer_.height);
@@ -87,6 +98,7 @@ class LayerWriter {
 
   const LayerToolpaths& layer_;
   const PrintSettings& settings_;
+  const PrintSettings& below_;
   MoveWriter moves_;
 };
 
@@ -106,10 +118,15 @@ std::string filled_in(std::string text, const MaterialSettings& m) {
 }  // namespace
 
 LayerProgram write_layer(const LayerToolpaths& layer, const PrintSettings& settings) {
-  LayerProgram program = LayerWriter(layer, settings).run({});
+  return write_layer(layer, settings, settings);
+}
+
+LayerProgram write_layer(const LayerToolpaths& layer, const PrintSettings& settings,
+                         const PrintSettings& below) {
+  LayerProgram program = LayerWriter(layer, settings, below).run({});
   const double least = settings.material.seconds_per_layer_min;
   if (layer.beads.empty() || program.seconds >= least) return program;
-  return LayerWriter(layer, settings).run({program.seconds / least});
+  return LayerWriter(layer, settings, below).run({program.seconds / least});
 }
 
 LayerProgram write_start(const PrintSettings& settings) {

@@ -122,6 +122,8 @@ class PrintRun {
       return fail(fits.error().within(loaded->name));
     }
     const double load_seconds = Stopwatch(total_).lap();
+    request_.timeline = std::make_shared<SettingsTimeline>(request_.settings);
+    if (const auto ok = journal_.keep(request_.timeline); !ok) return ok;
     if (journal_.resumes()) {
       if (const auto ok = connect(); !ok) return ok;
     }

@@ -18,6 +18,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto whole = parse_journal(bytes.substr(0, content->size));
   SLIPSTICK_CHECK(whole && whole->taken == content->taken && whole->end == content->end);
   SLIPSTICK_CHECK(whole->layers == content->layers);
+  SLIPSTICK_CHECK(whole->changes == content->changes);
   if (!content->session) return 0;
   for (const OtherLine& line : content->session->others) {
     if (line.number < content->session->first) continue;

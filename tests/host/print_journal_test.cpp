@@ -1,7 +1,11 @@
 // What a journal says, whatever became of its end.
 #include "host/print_journal.h"
 
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
+
+#include "host/checksum.h"
 
 using namespace slipstick;
 using Catch::Contains;
@@ -126,4 +130,46 @@ TEST_CASE("A number given out again is one number, and a new session forgets tho
   CHECK(content->taken == 30);
   CHECK(content->end == JournalEnd::kCutOff);
   CHECK(content->layers == std::vector<LayerMark>{mark(0, 20)});
+}
+
+TEST_CASE("A journal tells what was changed, and from which layer on, to the last digit") {
+  const SettingsChange first{3, {{"infill_density", "0.30000000000000004"}, {"fan", "1e-1"}}};
+  const SettingsChange second{3, {{"perimeters", "4"}}};
+
+  const auto content = parse_journal(journal() + change_record(first) + layer_record(mark(3, 90)) +
+                                     change_record(second));
+
+  REQUIRE(content);
+  CHECK(content->changes == std::vector<SettingsChange>{first, second});
+}
+
+TEST_CASE("Changes that no program writes end what is believed") {
+  const auto sealed = [](const std::string& payload) {
+    return fmt::format("{} *{:08x}\n", payload, checksum(payload));
+  };
+  const std::string later = change_record({5, {{"fan", "1"}}});
+
+  for (const std::string& record :
+       {sealed("C"), sealed("C {}"), sealed(R"(C {"from_layer":-1,"settings":{}})"),
+        sealed(R"(C {"from_layer":1,"settings":{"fan":1}})"), sealed("C 5"),
+        sealed(R"(C {"from_layer":9999999999,"settings":{}})"),
+        change_record({4, {{"fan", "1"}}})}) {
+    const auto content = parse_journal(journal() + later + record);
+    REQUIRE(content);
+    CHECK(content->size == journal().size() + later.size());
+    CHECK(content->changes.size() == 1);
+  }
+}
+
+TEST_CASE("A journal of the version without changes is read, one of a later version is not") {
+  const auto of_version = [](int version) {
+    const std::string payload = fmt::format(
+        R"(H {{"slipstick":{},"folder":"/","words":["print"],"model":1,"settings":2}})", version);
+    return fmt::format("{} *{:08x}\n", payload, checksum(payload));
+  };
+
+  CHECK(parse_journal(of_version(2)));
+  CHECK(parse_journal(of_version(3)));
+  CHECK(!parse_journal(of_version(1)));
+  CHECK(!parse_journal(of_version(4)));
 }

@@ -88,3 +88,50 @@ TEST_CASE("The width of a bead follows from its area and back") {
     CHECK(bead_width(bead_area(width, 0.2), 0.2) == Approx(width));
   }
 }
+
+TEST_CASE("A layer on one with other settings says first what the printer would keep of them") {
+  PrintSettings below;
+  below.material.seconds_per_layer_min = 0;
+  PrintSettings settings = below;
+  settings.material.fan = 0.5;
+  settings.material.nozzle_celsius = 220;
+  settings.material.bed_celsius = 70;
+  settings.material.retraction = 1.5;
+  const LayerToolpaths layer{7, 1.6, 0.2, {line({10, 10}, {20, 10})}};
+
+  const std::string text = write_layer(layer, settings, below).text;
+
+  CHECK(text ==
+        ";LAYER:7\n"
+        "G1 E-0.5 F2100\n"
+        "M106 S128\n"
+        "M104 S220\n"
+        "M140 S70\n"
+        "G0 Z1.6 F600\n"
+        "G0 X10 Y10 F7200\n"
+        "G1 E1.5 F2100\n"
+        "G1 X20 E0.33849 F3600\n"
+        "G1 E-1.5 F2100\n");
+}
+
+TEST_CASE("A layer says nothing of settings that the one below had already") {
+  const PrintSettings same;
+  PrintSettings other = same;
+  other.toolpath.infill_density = 0.9;
+  const LayerToolpaths layer{7, 1.6, 0.2, {line({10, 10}, {20, 10})}};
+
+  CHECK(write_layer(layer, same, other).text == write_layer(layer, same).text);
+}
+
+TEST_CASE("On the first layers only what holds there is said of other settings") {
+  PrintSettings below;
+  PrintSettings settings = below;
+  settings.material.fan = 0.5;
+  settings.material.nozzle_celsius = settings.material.first_layer_nozzle_celsius;
+  settings.material.retraction = 0;
+  const LayerToolpaths first{0, 0.2, 0.2, {}};
+  const LayerToolpaths second{1, 0.4, 0.2, {}};
+
+  CHECK(write_layer(first, settings, below).text == ";LAYER:0\nG1 E1 F2100\nG0 Z0.2 F600\n");
+  CHECK(write_layer(second, settings, settings).text == ";LAYER:1\nM106 S128\nG0 Z0.4 F600\n");
+}

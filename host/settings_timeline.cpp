@@ -1,0 +1,99 @@
+#include "host/settings_timeline.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace slipstick {
+
+SettingsTimeline::SettingsTimeline(const PrintSettings& settings)
+    : original_(std::make_shared<const PrintSettings>(settings)) {}
+
+SettingsTimeline::OfLayer SettingsTimeline::begin(int layer) {
+  const std::lock_guard lock(mutex_);
+  begun_ = std::max(begun_, layer + 1);
+  return {at(layer), layer == 0 ? original_ : at(layer - 1)};
+}
+
+void SettingsTimeline::end_at(int layer) {
+  const std::lock_guard lock(mutex_);
+  end_ = layer;
+}
+
+Result<std::optional<int>> SettingsTimeline::change(const SettingTexts& values) {
+  const std::lock_guard lock(mutex_);
+  const Change* const last = changes_.empty() ? nullptr : &changes_.back();
+  auto settings = changed(last == nullptr ? *original_ : *last->settings, values);
+  if (!settings) return fail(settings.error());
+  if (taken_up_) {
+    return fail(ErrorCode::kUnavailable, "the print is being taken up; try again when it goes on");
+  }
+  if (changes_.size() >= kChangesMax) {
+    return fail(ErrorCode::kUnavailable,
+                fmt::format("the settings of this print were changed {} times and change no more",
+                            kChangesMax));
+  }
+  const int from = std::max(begun_, last == nullptr ? 0 : last->what.from_layer);
+  if (end_ && from >= *end_) return std::optional<int>();
+  changes_.push_back({{from, values}, std::make_shared<const PrintSettings>(*std::move(settings))});
+  return std::optional(from);
+}
+
+std::vector<SettingsChange> SettingsTimeline::changes() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<SettingsChange> all;
+  for (const Change& change : changes_) all.push_back(change.what);
+  return all;
+}
+
+Result<void> SettingsTimeline::take_up(const std::vector<SettingsChange>& told, int begun) {
+  auto replay = replayed(told);
+  if (!replay) return fail(replay.error());
+  const std::lock_guard lock(mutex_);
+  taken_up_ = true;
+  begun_ = std::max(begun_, begun);
+  const auto same = [](const SettingsChange& a, const Change& b) { return a == b.what; };
+  const bool known = changes_.size() >= told.size() &&
+                     std::equal(told.begin(), told.end(), changes_.begin(), same);
+  // What was printed is what the journal says.
+  if (!known) changes_ = *std::move(replay);
+  return {};
+}
+
+void SettingsTimeline::go_on() {
+  const std::lock_guard lock(mutex_);
+  taken_up_ = false;
+}
+
+int SettingsTimeline::bottom_layers_from(int layer) const {
+  const std::lock_guard lock(mutex_);
+  int most = at(layer)->toolpath.bottom_layers;
+  for (const Change& change : changes_) {
+    if (change.what.from_layer > layer)
+      most = std::max(most, change.settings->toolpath.bottom_layers);
+  }
+  return most;
+}
+
+Result<SettingsTimeline::Changes> SettingsTimeline::replayed(
+    const std::vector<SettingsChange>& told) const {
+  if (told.size() > kChangesMax) return fail(ErrorCode::kInput, "too many changes of settings");
+  Changes changes;
+  for (const SettingsChange& change : told) {
+    auto settings = changed(changes.empty() ? *original_ : *changes.back().settings, change.values);
+    if (!settings) return fail(settings.error());
+    if (!changes.empty() && change.from_layer < changes.back().what.from_layer)
+      return fail(ErrorCode::kInput, "changes of settings are out of order");
+    changes.push_back({change, std::make_shared<const PrintSettings>(*std::move(settings))});
+  }
+  return changes;
+}
+
+// \pre The lock is held.
+SettingsTimeline::Settings SettingsTimeline::at(int layer) const {
+  const auto beyond = std::ranges::upper_bound(
+      changes_, layer, {}, [](const Change& change) { return change.what.from_layer; });
+  return beyond == changes_.begin() ? original_ : (beyond - 1)->settings;
+}
+
+}  // namespace slipstick
