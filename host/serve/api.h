@@ -25,6 +25,11 @@ namespace slipstick {
 [[nodiscard]] HttpResponse get_job(const HttpRequest& request, Services& services);
 [[nodiscard]] HttpResponse cancel_job(const HttpRequest& request, Services& services);
 [[nodiscard]] HttpResponse take_up_job(const HttpRequest& request, Services& services);
+/// Of the address, if it is a number.
+[[nodiscard]] std::optional<std::int64_t> job_id(const HttpRequest& request);
+
+// api_changes.cpp
+[[nodiscard]] HttpResponse change_settings(const HttpRequest& request, Services& services);
 
 enum class QueuePlace : std::uint8_t {
   kLast,

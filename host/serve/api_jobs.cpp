@@ -3,7 +3,9 @@
 #include <ctime>
 #include <nlohmann/json.hpp>
 
+#include "core/base/number_text.h"
 #include "host/serve/api.h"
+#include "host/settings_changes_text.h"
 
 namespace slipstick {
 namespace {
@@ -17,6 +19,26 @@ Json moment(std::int64_t seconds) {
   return seconds == 0 ? Json() : Json(seconds);
 }
 
+// Numbers as numbers again.
+Json value_of(const std::string& key, const std::string& text) {
+  const auto setting = find_setting(key);
+  const auto number = parse_number(text);
+  if (!setting || !number) return text;
+  if (std::holds_alternative<IntegerSetting>((*setting)->kind)) return static_cast<int>(*number);
+  return std::holds_alternative<NumberSetting>((*setting)->kind) ? Json(*number) : Json(text);
+}
+
+Json changes_of(const StoredJob& job) {
+  Json all = Json::array();
+  const auto changes = parse_changes(job.changes);
+  for (const auto& change : changes.value_or(std::vector<SettingsChange>())) {
+    Json settings = Json::object();
+    for (const auto& [key, text] : change.values) settings[key] = value_of(key, text);
+    all.push_back({{"from_layer", change.from_layer}, {"settings", settings}});
+  }
+  return all;
+}
+
 Json to_json(const StoredJob& job) {
   return {{"id", job.id},
           {"file", job.file_name},
@@ -26,6 +48,7 @@ Json to_json(const StoredJob& job) {
           {"started", moment(job.started)},
           {"ended", moment(job.ended)},
           {"message", job.message},
+          {"changes", changes_of(job)},
           {"result", job.result.empty() ? Json() : Json::parse(job.result, nullptr, false)}};
 }
 
@@ -33,14 +56,6 @@ Json to_json(const StoredJob& job, const Store& store) {
   Json json = to_json(job);
   json["can_be_taken_up"] = store.can_be_taken_up(job);
   return json;
-}
-
-std::optional<std::int64_t> id_of(const HttpRequest& request) {
-  const std::string& text = request.parameter("id");
-  std::int64_t id = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), id);
-  if (error != std::errc() || end != text.data() + text.size()) return {};
-  return id;
 }
 
 HttpResponse no_such_job() {
@@ -61,6 +76,14 @@ HttpResponse add_job(const std::string& name, const Json& spec, Services& servic
 }
 
 }  // namespace
+
+std::optional<std::int64_t> job_id(const HttpRequest& request) {
+  const std::string& text = request.parameter("id");
+  std::int64_t id = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), id);
+  if (error != std::errc() || end != text.data() + text.size()) return {};
+  return id;
+}
 
 Result<StoredJob> queue_job(const StoredFile& file, std::string_view spec, QueuePlace place,
                             Services& services) {
@@ -104,7 +127,7 @@ HttpResponse post_job(const HttpRequest& request, Services& services) {
 }
 
 HttpResponse get_job(const HttpRequest& request, Services& services) {
-  const auto id = id_of(request);
+  const auto id = job_id(request);
   if (!id) return no_such_job();
   const auto job = services.store.job(*id);
   if (!job) return error_response(job.error());
@@ -112,7 +135,7 @@ HttpResponse get_job(const HttpRequest& request, Services& services) {
 }
 
 HttpResponse cancel_job(const HttpRequest& request, Services& services) {
-  const auto id = id_of(request);
+  const auto id = job_id(request);
   if (!id) return no_such_job();
   const auto cancelled = services.store.cancel_queued(*id, std::int64_t{std::time(nullptr)});
   if (!cancelled) return error_response(cancelled.error());
@@ -127,7 +150,7 @@ HttpResponse cancel_job(const HttpRequest& request, Services& services) {
 }
 
 HttpResponse take_up_job(const HttpRequest& request, Services& services) {
-  const auto id = id_of(request);
+  const auto id = job_id(request);
   if (!id) return no_such_job();
   const Json json = request.body.empty() ? Json::object() : parse_json(request.body);
   const bool fits = json.is_object() && json.size() == json.count("recover") &&

@@ -57,14 +57,10 @@ Result<Vec3> vector(const Json& json, std::string_view member) {
 }
 
 Result<void> take_settings(const Json& json, JobSpec& spec) {
-  if (!json.is_object() || json.size() > kSettingsMax) {
-    return refuse("settings", "must be an object of settings");
-  }
-  for (const auto& [key, value] : json.items()) {
-    if (!value.is_string() && !value.is_number()) return refuse(key, "must be a number or a text");
-    spec.settings.overrides.push_back(
-        fmt::format("{}={}", key, value.is_string() ? value.get<std::string>() : value.dump()));
-  }
+  const auto texts = setting_texts(json);
+  if (!texts) return fail(texts.error());
+  for (const auto& [key, text] : *texts)
+    spec.settings.overrides.push_back(fmt::format("{}={}", key, text));
   return {};
 }
 
@@ -124,6 +120,17 @@ Result<void> take_member(const std::string& key, const Json& value, JobSpec& spe
 
 }  // namespace
 
+Result<SettingTexts> setting_texts(const Json& json) {
+  if (!json.is_object() || json.size() > kSettingsMax)
+    return refuse("settings", "must be an object of settings");
+  SettingTexts texts;
+  for (const auto& [key, value] : json.items()) {
+    if (!value.is_string() && !value.is_number()) return refuse(key, "must be a number or a text");
+    texts.emplace(key, value.is_string() ? value.get<std::string>() : value.dump());
+  }
+  return texts;
+}
+
 Result<JobSpec> job_spec(const Json& json, const JobDefaults& defaults) {
   if (!json.is_object()) return fail(ErrorCode::kInput, "a job must be a JSON object");
   JobSpec spec;
@@ -155,7 +162,8 @@ Result<PreparedModel> prepare_model(const std::string& path, const std::string& 
   if (const auto fits = check_build_volume(placed->bounds, printer); !fits) {
     return fail(fits.error().within(name));
   }
-  return PreparedModel{std::move(*placed), {std::move(*settings), goal, 0, 0, {}}, loaded->warning};
+  return PreparedModel{
+      std::move(*placed), {std::move(*settings), goal, 0, 0, {}, {}}, loaded->warning};
 }
 
 }  // namespace slipstick

@@ -6,6 +6,7 @@
 
 #include "core/base/box.h"
 #include "core/job/placement.h"
+#include "core/job/settings_change.h"
 #include "host/config.h"
 #include "host/slicing_job.h"
 
@@ -37,6 +38,10 @@ struct JobDefaults {
 /// The same from text.
 [[nodiscard]] Result<JobSpec> job_spec_from_text(std::string_view text,
                                                  const JobDefaults& defaults);
+
+/// Settings as a client says them: {"perimeters": 3, "infill_density": 0.4}.
+/// \return kInput for anything else; whether there are such settings is not looked at.
+[[nodiscard]] Result<SettingTexts> setting_texts(const nlohmann::json& json);
 
 /// A model on the bed and how it is sliced: what `SlicingJob` starts from.
 struct PreparedModel {

@@ -78,6 +78,9 @@ class TaskRun {
     const auto prepared = prepare_model(task_.path, task_.name, task_.spec, SliceGoal::kToolpaths);
     if (!prepared) return fail(prepared.error());
     SlicingRequest request = prepared->request;
+    request.timeline =
+        task_.timeline ? task_.timeline : std::make_shared<SettingsTimeline>(request.settings);
+    if (const auto ok = journal_.keep(request.timeline); !ok) return ok;
     if (journal_.resumes()) {
       if (const auto ok = connect(request.settings.printer); !ok) return ok;
     }

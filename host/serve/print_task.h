@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -21,6 +22,7 @@ struct PrintTask {
   std::string port;
   std::filesystem::path journal;   ///< Where it is kept; of a printer inside this program, none.
   std::optional<Consent> take_up;  ///< The print was cut off: go on with it.
+  std::shared_ptr<SettingsTimeline> timeline = nullptr;  ///< Of a model: settings by layer.
 };
 
 /// How a task tells how far it is; called by the printing thread.

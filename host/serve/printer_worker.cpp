@@ -9,6 +9,7 @@
 #include "drivers/open_transport.h"
 #include "host/serve/idle_connection.h"
 #include "host/serve/print_task.h"
+#include "host/settings_changes_text.h"
 
 namespace slipstick {
 namespace {
@@ -288,19 +289,52 @@ Result<void> PrinterWorker::switch_power_on(const StoredJob& job) const {
   return {};
 }
 
-Result<std::string> PrinterWorker::printed(const StoredJob& job, std::optional<Consent> take_up) {
+std::shared_ptr<SettingsTimeline> PrinterWorker::timeline_of(std::int64_t id) {
+  const std::lock_guard lock(mutex_);
+  return job_ == id ? timeline_ : nullptr;
+}
+
+Result<std::shared_ptr<SettingsTimeline>> PrinterWorker::begin_timeline(const StoredJob& job,
+                                                                        const JobSpec& spec) {
+  const auto settings = load_settings(spec.settings);
+  if (!settings) return fail(settings.error());
+  auto timeline = std::make_shared<SettingsTimeline>(*settings);
+  const auto changes = parse_changes(job.changes);
+  if (!changes) spdlog::error("job {}: what was changed in it is damaged", job.id);
+  // Those that were promised for layers that the print did not reach; the journal tells the others.
+  const auto ok = timeline->take_up(changes.value_or(std::vector<SettingsChange>()), 0);
+  if (!ok) return fail(ok.error());
+  timeline->go_on();
+  const std::lock_guard lock(mutex_);
+  timeline_ = timeline;
+  return timeline;
+}
+
+Result<std::string> PrinterWorker::printed(const StoredJob& claimed,
+                                           std::optional<Consent> take_up) {
+  // Its settings may have been changed until it was claimed.
+  const auto stored = store_.job(claimed.id);
+  if (!stored) return fail(stored.error());
+  const StoredJob& job = *stored ? **stored : claimed;
   const auto spec = job_spec_from_text(job.spec, options_.defaults);
   if (!spec) return fail(spec.error());
   const auto name = FileName::from(job.file_name);
   if (!name) return fail(name.error());
   if (const auto on = switch_power_on(job); !on) return fail(on.error());
+  std::shared_ptr<SettingsTimeline> timeline;
+  if (!name->is_gcode()) {
+    const auto begun = begin_timeline(job, *spec);
+    if (!begun) return fail(begun.error());
+    timeline = *begun;
+  }
   const PrintTask task{store_.path_of(job.file, job.extension).string(),
                        job.file_name,
                        name->is_gcode(),
                        *spec,
                        options_.port,
                        store_.journal_of(job.id),
-                       take_up};
+                       take_up,
+                       timeline};
   return run_print_task(task, *current(),
                         {[this](int layers) { reporter_.job_is_of(layers); },
                          [this](int layer, double height) { reporter_.layer_began(layer, height); },
@@ -332,6 +366,8 @@ std::shared_ptr<PrintControl> PrinterWorker::begin(std::int64_t id) {
 // No request reaches the job any more. What was last wished of it.
 PrintControl::Wish PrinterWorker::over() {
   const std::lock_guard lock(mutex_);
+  if (timeline_) timeline_->end_at(0);
+  timeline_.reset();
   job_ = 0;
   return std::exchange(control_, nullptr)->wish();
 }

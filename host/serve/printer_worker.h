@@ -57,6 +57,9 @@ class PrinterWorker {
   /// \return kInput for what cannot be said: in a print, all that is no `interjection`; else what
   /// has no place in a job. kPrinter if nobody is connected, or too much waits.
   [[nodiscard]] Result<void> say(const std::vector<std::string>& commands);
+  /// The settings of the layers of job `id`, a model that is being printed; else nothing. Of a
+  /// print that is over meanwhile no layer can be changed any more.
+  [[nodiscard]] std::shared_ptr<SettingsTimeline> timeline_of(std::int64_t id);
   /// Goes on with the print of job `id`, which was cut off. \return whether the printer is free.
   bool take_up(std::int64_t id, Consent consent);
   /// Kills the printer, whether it prints or not. \return why it could not be told.
@@ -74,7 +77,10 @@ class PrinterWorker {
   [[nodiscard]] Result<bool> print_again(const TakingUp& what);
   void print(const StoredJob& job, std::optional<Consent> take_up);
   [[nodiscard]] Result<void> switch_power_on(const StoredJob& job) const;
-  [[nodiscard]] Result<std::string> printed(const StoredJob& job, std::optional<Consent> take_up);
+  [[nodiscard]] Result<std::shared_ptr<SettingsTimeline>> begin_timeline(const StoredJob& job,
+                                                                         const JobSpec& spec);
+  [[nodiscard]] Result<std::string> printed(const StoredJob& claimed,
+                                            std::optional<Consent> take_up);
   [[nodiscard]] Store::Ending ending(const Result<std::string>& printed);
   [[nodiscard]] std::shared_ptr<PrintControl> begin(std::int64_t id);
   PrintControl::Wish over();
@@ -94,7 +100,8 @@ class PrinterWorker {
 
   std::mutex mutex_;  ///< Protects what follows.
   std::condition_variable changed_;
-  std::shared_ptr<PrintControl> control_;  ///< Of the job under way.
+  std::shared_ptr<PrintControl> control_;       ///< Of the job under way.
+  std::shared_ptr<SettingsTimeline> timeline_;  ///< Likewise, if it is a model.
   std::int64_t job_ = 0;
   std::shared_ptr<PrintControl> idle_;  ///< Of the connection between prints.
   bool left_alone_ = false;             ///< After an emergency stop.

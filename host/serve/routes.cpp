@@ -32,6 +32,7 @@ constexpr std::array kRoutes{
     Route{kGet, "/api/v1/jobs/{id}", get_job},
     Route{kPost, "/api/v1/jobs/{id}/cancel", cancel_job},
     Route{kPost, "/api/v1/jobs/{id}/take-up", take_up_job},
+    Route{kPost, "/api/v1/jobs/{id}/settings", change_settings},
     Route{kGet, "/api/v1/printer", get_printer},
     Route{kPost, "/api/v1/printer/pause", pause_printer},
     Route{kPost, "/api/v1/printer/resume", resume_printer},

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Version n of the schema is what the first n make. Never changed, only added to.
-constexpr std::array<std::string_view, 4> kMigrations{
+constexpr std::array<std::string_view, 5> kMigrations{
     "CREATE TABLE files (id INTEGER PRIMARY KEY AUTOINCREMENT, name TEXT NOT NULL, "
     "extension TEXT NOT NULL, size INTEGER NOT NULL, created INTEGER NOT NULL, "
     "current INTEGER NOT NULL DEFAULT 1) STRICT",
@@ -32,7 +32,8 @@ constexpr std::array<std::string_view, 4> kMigrations{
     "ended INTEGER NOT NULL DEFAULT 0, message TEXT NOT NULL DEFAULT '', "
     "result TEXT NOT NULL DEFAULT '') STRICT",
     "CREATE TABLE printer (id INTEGER PRIMARY KEY CHECK (id = 1), "
-    "bed_occupied INTEGER NOT NULL, selected TEXT NOT NULL) STRICT"};
+    "bed_occupied INTEGER NOT NULL, selected TEXT NOT NULL) STRICT",
+    "ALTER TABLE jobs ADD COLUMN changes TEXT NOT NULL DEFAULT ''"};
 
 // Whose bytes are wanted: what is to be printed, and what was cut off and still lies on the bed.
 const std::string kWanted =

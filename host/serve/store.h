@@ -41,6 +41,7 @@ struct StoredJob {
   std::int64_t ended = 0;
   std::string message;  ///< Why it is not done.
   std::string result;   ///< JSON, or empty: what was printed.
+  std::string changes;  ///< settings_changes_text.h, or empty: settings changed in the print.
 };
 
 /// Files and jobs, in a folder of their own: what was accepted survives the end of the process and
@@ -87,6 +88,10 @@ class Store {
                                           std::int64_t now);
   /// How many wait.
   [[nodiscard]] Result<int> queued();
+  /// How a queued job is to be printed. \return whether it was queued.
+  [[nodiscard]] Result<bool> set_spec(std::int64_t id, std::string_view spec);
+  /// What was changed in the print of the job.
+  [[nodiscard]] Result<void> set_changes(std::int64_t id, std::string_view changes);
   /// Puts a queued job before all others. \return whether it was queued.
   [[nodiscard]] Result<bool> put_first(std::int64_t id);
   /// The newest first.

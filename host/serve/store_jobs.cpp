@@ -15,7 +15,7 @@ constexpr std::array<std::string_view, 6> kStateNames{"queued", "printing",  "do
 
 const std::string kJobColumns =
     "SELECT jobs.id, jobs.file, files.name, files.extension, jobs.spec, jobs.state, jobs.created, "
-    "jobs.started, jobs.ended, jobs.message, jobs.result "
+    "jobs.started, jobs.ended, jobs.message, jobs.result, jobs.changes "
     "FROM jobs JOIN files ON files.id = jobs.file ";
 
 // The schema knows no other states.
@@ -28,7 +28,7 @@ JobState state_of(std::string_view name) {
 StoredJob job_of(const SqlRow& row) {
   return {row.integer(0), row.integer(1),        row.text(2),    row.text(3),
           row.text(4),    state_of(row.text(5)), row.integer(6), row.integer(7),
-          row.integer(8), row.text(9),           row.text(10)};
+          row.integer(8), row.text(9),           row.text(10),   row.text(11)};
 }
 
 Result<std::optional<StoredJob>> first_job(const Result<std::vector<SqlRow>>& rows) {
@@ -93,6 +93,20 @@ Result<std::optional<StoredJob>> Store::job(std::int64_t id) {
 Result<std::optional<StoredJob>> Store::next_job() {
   return first_job(
       database_.query(kJobColumns + "WHERE jobs.state = 'queued' ORDER BY jobs.place LIMIT 1"));
+}
+
+Result<bool> Store::set_spec(std::int64_t id, std::string_view spec) {
+  const auto changed = database_.change(
+      "UPDATE jobs SET spec = ?2 WHERE id = ?1 AND state = 'queued'", {id, std::string(spec)});
+  if (!changed) return fail(changed.error());
+  return *changed == 1;
+}
+
+Result<void> Store::set_changes(std::int64_t id, std::string_view changes) {
+  const auto changed =
+      database_.change("UPDATE jobs SET changes = ?2 WHERE id = ?1", {id, std::string(changes)});
+  if (!changed) return fail(changed.error());
+  return {};
 }
 
 Result<bool> Store::put_first(std::int64_t id) {

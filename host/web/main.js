@@ -1,6 +1,7 @@
 // The page: what the daemon tells is shown, what is pressed is asked of it. Texts from printers and
 // files only ever become text, never markup.
 import {Refused, ask, listen, useKey} from '/assets/api.js';
+import * as changes from '/assets/changes.js';
 import {drawHeat} from '/assets/draw.js';
 import * as preview from '/assets/preview.js';
 
@@ -76,6 +77,7 @@ function showStatus(next) {
   $('state').textContent = next.message ? `${state}: ${next.message}` : state;
   document.title = next.job ? `${Math.round(100 * next.job.completion)} % - slipstick` : 'slipstick';
   showJob(next.job);
+  changes.show(next.job);
   $('pause').disabled = next.state !== 'printing';
   $('resume').disabled = next.state !== 'paused';
   $('cancel').disabled = !next.job || next.state === 'ending';
@@ -164,6 +166,7 @@ function onEvent(type, data) {
     attempt(showFiles);
   } else if (type === 'jobs') {
     attempt(showJobs);
+    attempt(changes.refresh);
   }
 }
 
@@ -241,4 +244,5 @@ $('key-form').addEventListener('submit', (event) => {
   location.reload();
 });
 preview.start(report, queue);
+changes.start(attempt);
 follow();

@@ -167,7 +167,8 @@ TEST_CASE("The page and all it is made of are there, and may load nothing from e
   CHECK(page.headers.at("x-content-type-options") == "nosniff");
   CHECK(page.body.find("<script>") == page.body.npos);
   CHECK(page.body.find("onclick") == page.body.npos);
-  for (const char* name : {"style.css", "main.js", "api.js", "draw.js", "preview.js"}) {
+  for (const char* name :
+       {"style.css", "main.js", "api.js", "draw.js", "preview.js", "changes.js"}) {
     INFO(name);
     const auto asset = daemon.get(std::string("/assets/") + name);
     std::ifstream file(std::string(SLIPSTICK_SOURCE_DIR) + "/host/web/" + name);
