@@ -129,6 +129,9 @@ void add_serve_command(CLI::App& app, ChosenCommand& run) {
                   "EVENT=URL or EVENT=/PROGRAM, told of it, repeatable: " + occasion_names());
   sub->add_option("--power-on", words->power_on,
                   "URL or /PROGRAM that switches the printer on; a print waits for it");
+  sub->add_option(
+      "--camera", options->camera,
+      "address of the printer's picture (MJPEG or JPEG), shown on the page: http://...");
   sub->footer("Example: slipstick serve --printer /dev/ttyUSB0 --machine ender3");
   sub->callback([options, words, sub, &run] {
     // Once the words are known, which win; then this is called again.

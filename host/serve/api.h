@@ -11,11 +11,15 @@ namespace slipstick {
 [[nodiscard]] HttpResponse get_page(const HttpRequest& request, Services& services);
 [[nodiscard]] HttpResponse get_asset(const HttpRequest& request, Services& services);
 
+/// Where the camera is, for the page.
+[[nodiscard]] HttpResponse get_camera(const HttpRequest& request, Services& services);
+
 // api_files.cpp
 [[nodiscard]] HttpResponse get_files(const HttpRequest& request, Services& services);
 [[nodiscard]] HttpResponse get_file(const HttpRequest& request, Services& services);
 [[nodiscard]] HttpResponse put_file(const HttpRequest& request, Services& services);
 [[nodiscard]] HttpResponse delete_file(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse get_picture(const HttpRequest& request, Services& services);
 [[nodiscard]] HttpResponse get_layers(const HttpRequest& request, Services& services);
 [[nodiscard]] HttpResponse get_layer(const HttpRequest& request, Services& services);
 
@@ -44,6 +48,7 @@ enum class QueuePlace : std::uint8_t {
 
 // api_printer.cpp
 [[nodiscard]] HttpResponse get_printer(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse get_printed_layer(const HttpRequest& request, Services& services);
 [[nodiscard]] HttpResponse pause_printer(const HttpRequest& request, Services& services);
 [[nodiscard]] HttpResponse resume_printer(const HttpRequest& request, Services& services);
 [[nodiscard]] HttpResponse stop_printer(const HttpRequest& request, Services& services);

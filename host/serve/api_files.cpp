@@ -3,7 +3,9 @@
 #include <ctime>
 #include <nlohmann/json.hpp>
 
+#include "host/atomic_file.h"
 #include "host/serve/api.h"
+#include "host/serve/file_picture.h"
 
 namespace slipstick {
 namespace {
@@ -75,6 +77,21 @@ HttpResponse delete_file(const HttpRequest& request, Services& services) {
   if (!*removed) return no_such_file(request.parameter("name"));
   services.events.publish("files", Json{{"removed", request.parameter("name")}}.dump());
   return empty_response();
+}
+
+HttpResponse get_picture(const HttpRequest& request, Services& services) {
+  const Sought sought = sought_file(request, services.store);
+  if (sought.refusal) return *sought.refusal;
+  const auto picture = services.store.picture_of(sought.file.id);
+  std::error_code ignored;
+  if (!std::filesystem::exists(picture, ignored)) {
+    const auto drawn = draw_file(services.store.path_of(sought.file.id, sought.file.extension),
+                                 sought.file, services.defaults, picture);
+    if (!drawn) return error_response(drawn.error());
+  }
+  auto bytes = read_file(picture);
+  if (!bytes) return error_response(bytes.error());
+  return {200, "image/png", *std::move(bytes), {}};
 }
 
 HttpResponse get_layers(const HttpRequest& request, Services& services) {

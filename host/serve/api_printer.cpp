@@ -19,6 +19,12 @@ HttpResponse get_printer(const HttpRequest&, Services& services) {
   return json_response(to_json(services.board.get()));
 }
 
+HttpResponse get_printed_layer(const HttpRequest&, Services& services) {
+  const auto layer = services.board.layer();
+  if (!layer) return empty_response();
+  return {200, "application/json", to_json_text(*layer), {}};
+}
+
 HttpResponse pause_printer(const HttpRequest&, Services& services) {
   return done_if(services.printer.pause());
 }

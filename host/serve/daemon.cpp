@@ -24,6 +24,13 @@ Result<UniqueFd> lock_folder(const std::filesystem::path& folder) {
       fmt::format("{} is in use by another slipstick, or cannot be written", folder.string()));
 }
 
+Result<std::optional<CameraUrl>> camera_of(const Daemon::Options& options) {
+  if (options.camera.empty()) return std::optional<CameraUrl>();
+  auto url = CameraUrl::from(options.camera);
+  if (!url) return fail(url.error());
+  return std::optional(*std::move(url));
+}
+
 // The same mistakes as at the first job, but before there is one.
 Result<void> check(const Daemon::Options& options) {
   const auto address = parse_transport_address(options.port);
@@ -46,6 +53,8 @@ class Daemon::Implementation {
     if (!server) return fail(server.error());
     server_ = std::move(*server);
     if (const auto ok = make_rules(); !ok) return ok;
+    const auto camera = camera_of(options_);
+    if (!camera) return fail(camera.error());
     auto worker = PrinterWorker::start(
         {options_.data, options_.port, options_.defaults, options_.power_on}, board_, events_);
     if (!worker) return fail(worker.error());
@@ -60,7 +69,8 @@ class Daemon::Implementation {
                                  *worker_,
                                  board_,
                                  events_,
-                                 began_});
+                                 began_,
+                                 *camera});
     }
     return tell_broker();
   }

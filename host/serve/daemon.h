@@ -26,6 +26,7 @@ class Daemon {
     std::optional<MqttBridge::Options> mqtt;  ///< Nobody is told without it.
     std::optional<HookTarget> power_on;
     std::vector<Hook> hooks;  ///< At most `HookRunner::kHooksMax`.
+    std::string camera = {};  ///< As CameraUrl, or empty: there is none.
   };
 
   /// Opens everything; from then on requests are let wait. Only one daemon a data folder.

@@ -47,11 +47,8 @@ Json progress(const PrinterStatus& status) {
             {"printTimeLeft", nullptr},
             {"printTimeLeftOrigin", nullptr}};
   }
-  // Before that the printer has mostly been heating.
-  constexpr double kToldFrom = 0.02;
-  const double c = status.completion;
-  const Json left = c < kToldFrom ? Json() : Json(std::lround(status.seconds * (1 - c) / c));
-  return {{"completion", 100 * c},
+  const Json left = status.seconds_left ? Json(std::lround(*status.seconds_left)) : Json();
+  return {{"completion", 100 * status.completion},
           {"filepos", nullptr},
           {"printTime", std::lround(status.seconds)},
           {"printTimeLeft", left},

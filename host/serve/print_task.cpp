@@ -92,11 +92,15 @@ class TaskRun {
     listeners_.on_start((*job)->end_layer() - first);
     const auto on_layer = [&](const SlicedLayer& layer) {
       watch_->expect(layer);
-      journal_.began(layer.index, layer.program->text);
-      listeners_.on_layer(layer.index - first + 1, layer.top);
+      const std::string& program = layer.program->text;
+      journal_.began(layer.index, program);
+      layer_ = PrintedLayer{layer.index - first + 1, layer.top, line_ - 1, lines_of_layer(program),
+                            program};
+      if (let_by_) tell_layer();
     };
-    LayerLines lines(**job, request.settings, on_layer,
-                     cut_off ? LayerLines::Beginning::kLayer : LayerLines::Beginning::kStart);
+    LayerLines layers(**job, request.settings, on_layer,
+                      cut_off ? LayerLines::Beginning::kLayer : LayerLines::Beginning::kStart);
+    CountedLines lines(layers, [this](std::int64_t line) { line_ = line; });
     if (!link_) {
       if (const auto ok = connect(request.settings.printer); !ok) return ok;
     }
@@ -118,10 +122,19 @@ class TaskRun {
     return {};
   }
 
+  // Lines that were let go by, as they were printed before, are not of this stream.
+  void tell_layer() {
+    if (!layer_) return;
+    layer_->lines_before -= *let_by_;
+    listeners_.on_layer(*std::exchange(layer_, std::nullopt));
+  }
+
   Result<void> stream(LineSource& source, const PrintSettings& settings) {
     StreamOptions options{link_->pace, parking_place(settings)};
     const auto lines = journal_.begin(source, *link_->clock, options);
     if (!lines) return fail(lines.error());
+    let_by_ = line_;
+    tell_layer();
     options.sender.window = settings.printer.window;
     const auto outcome = stream_job(*link_->transport, *link_->clock, **lines, options, control_);
     journal_.ended(outcome);
@@ -145,6 +158,9 @@ class TaskRun {
   const TaskListeners& listeners_;
   std::optional<PrintWatch> watch_;
   std::optional<PrinterLink> link_;
+  std::int64_t line_ = 0;                ///< Of the model's program, last taken.
+  std::optional<std::int64_t> let_by_;   ///< Of these, before the stream began; none: it has not.
+  std::optional<PrintedLayer> layer_{};  ///< Not told yet.
   Json report_;
 };
 

@@ -9,6 +9,7 @@
 #include "host/print_control.h"
 #include "host/resume_point.h"
 #include "host/serve/job_spec.h"
+#include "host/serve/printed_layer.h"
 #include "host/serve/store.h"
 
 namespace slipstick {
@@ -28,7 +29,7 @@ struct PrintTask {
 /// How a task tells how far it is; called by the printing thread.
 struct TaskListeners {
   std::function<void(int layers)> on_start;  ///< 0 for G-code.
-  std::function<void(int layer, double height)> on_layer;
+  std::function<void(PrintedLayer)> on_layer;
   std::function<void(double share)> on_completion;
 };
 

@@ -55,7 +55,8 @@ Json to_json(const PrinterStatus& status) {
                  {"layers", status.layers},
                  {"height", status.height},
                  {"completion", status.completion},
-                 {"seconds", status.seconds}};
+                 {"seconds", status.seconds},
+                 {"seconds_left", status.seconds_left ? Json(*status.seconds_left) : Json()}};
   return json;
 }
 

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <mutex>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 
 #include "drivers/marlin/temperatures.h"
+#include "host/serve/printed_layer.h"
 
 namespace slipstick {
 
@@ -34,6 +36,7 @@ struct PrinterStatus {
   double height = 0;           ///< mm: top of that layer.
   double completion = 0;       ///< 0 to 1: of the layers, or of the bytes of a file.
   double seconds = 0;          ///< Since the job began.
+  std::optional<double> seconds_left;  ///< Where it can be told.
   bool bed_occupied = false;
   bool connected = false;  ///< Somebody talks with it, in a print or between prints.
 };
@@ -52,10 +55,20 @@ class StatusBoard {
     const std::lock_guard lock(mutex_);
     status_ = status;
   }
+  /// What is being printed; null between prints, and of a G-code file.
+  [[nodiscard]] std::shared_ptr<const PrintedLayer> layer() const {
+    const std::lock_guard lock(mutex_);
+    return layer_;
+  }
+  void put_layer(std::shared_ptr<const PrintedLayer> layer) {
+    const std::lock_guard lock(mutex_);
+    layer_.swap(layer);
+  }
 
  private:
-  mutable std::mutex mutex_;  ///< Protects `status_`.
+  mutable std::mutex mutex_;  ///< Protects what follows.
   PrinterStatus status_;
+  std::shared_ptr<const PrintedLayer> layer_;
 };
 
 }  // namespace slipstick

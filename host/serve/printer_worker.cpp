@@ -337,7 +337,7 @@ Result<std::string> PrinterWorker::printed(const StoredJob& claimed,
                        timeline};
   return run_print_task(task, *current(),
                         {[this](int layers) { reporter_.job_is_of(layers); },
-                         [this](int layer, double height) { reporter_.layer_began(layer, height); },
+                         [this](PrintedLayer layer) { reporter_.layer_began(std::move(layer)); },
                          [this](double share) { reporter_.completion(share); }});
 }
 

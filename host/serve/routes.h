@@ -4,6 +4,7 @@
 #include <span>
 #include <string_view>
 
+#include "host/serve/camera_url.h"
 #include "host/serve/event_log.h"
 #include "host/serve/http.h"
 #include "host/serve/layer_preview.h"
@@ -27,6 +28,7 @@ struct Services {
   const StatusBoard& board;
   EventLog& events;
   std::chrono::steady_clock::time_point began;  ///< Of the daemon.
+  std::optional<CameraUrl> camera = {};
 };
 
 enum class RouteBody : std::uint8_t {

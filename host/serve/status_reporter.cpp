@@ -16,22 +16,43 @@ std::string one_line(const nlohmann::ordered_json& json) {
 }  // namespace
 
 void StatusReporter::job_began(std::int64_t id, const std::string& file) {
-  status_ = {PrinterActivity::kPrinting, "", status_.firmware, status_.temperatures, id, file};
+  PrinterStatus next;
+  next.activity = PrinterActivity::kPrinting;
+  next.firmware = status_.firmware;
+  next.temperatures = status_.temperatures;
+  next.job = id;
+  next.file = file;
+  status_ = next;
   status_.connected = true;
   status_.bed_occupied = true;
   began_ = SteadyTime::now();
+  time_left_ = {};
   tell("state");
 }
 
-void StatusReporter::layer_began(int layer, double height) {
-  status_.layer = layer;
-  status_.height = height;
-  if (status_.layers > 0) completion(double(layer - 1) / status_.layers);
+void StatusReporter::layer_began(PrintedLayer layer) {
+  status_.layer = layer.layer;
+  status_.height = layer.height;
+  layer_ = std::make_shared<const PrintedLayer>(std::move(layer));
+  board_.put_layer(layer_);
+}
+
+void StatusReporter::keep_time(PrintControl::Wish wish) {
+  status_.seconds = std::chrono::duration<double>(SteadyTime::now() - began_).count();
+  if (layer_ && status_.layers > 0) {
+    completion((layer_->layer - 1 + share_done(*layer_, status_.lines)) / status_.layers);
+  }
+  if (wish == PrintControl::Wish::kRun) {
+    time_left_.moved(status_.seconds, status_.completion);
+  } else {
+    time_left_.stood(status_.seconds);
+  }
+  status_.seconds_left = time_left_.seconds();
 }
 
 void StatusReporter::turn(PrintControl::Wish wish, const StreamFigures& figures) {
   status_.lines = static_cast<std::int64_t>(figures.counters.lines_acknowledged);
-  status_.seconds = std::chrono::duration<double>(SteadyTime::now() - began_).count();
+  keep_time(wish);
   using Wish = PrintControl::Wish;
   set(wish == Wish::kRun     ? PrinterActivity::kPrinting
       : wish == Wish::kPause ? PrinterActivity::kPaused
@@ -70,6 +91,8 @@ void StatusReporter::job_came_to(std::int64_t id, std::string_view state,
 
 void StatusReporter::job_ended(PrinterActivity activity, const std::string& message) {
   status_.job = 0;
+  layer_.reset();
+  board_.put_layer(nullptr);
   status_.connected = false;
   status_.activity = activity;
   status_.message = message;

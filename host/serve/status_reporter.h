@@ -7,6 +7,7 @@
 #include "host/print_control.h"
 #include "host/serve/event_log.h"
 #include "host/serve/printer_status.h"
+#include "host/serve/time_left.h"
 
 namespace slipstick {
 
@@ -20,7 +21,7 @@ class StatusReporter {
 
   void job_began(std::int64_t id, const std::string& file);
   void job_is_of(int layers) { status_.layers = layers; }
-  void layer_began(int layer, double height);
+  void layer_began(PrintedLayer layer);
   void completion(double share) { status_.completion = share; }
   /// After each turn of the printing loop.
   void turn(PrintControl::Wish wish, const StreamFigures& figures);
@@ -35,12 +36,15 @@ class StatusReporter {
 
  private:
   void set(PrinterActivity activity);
+  void keep_time(PrintControl::Wish wish);
   void tell(const char* type);
   [[nodiscard]] static bool due(std::chrono::steady_clock::time_point& last);
 
   StatusBoard& board_;
   EventLog& events_;
   PrinterStatus status_;
+  std::shared_ptr<const PrintedLayer> layer_;
+  TimeLeft time_left_;
   std::chrono::steady_clock::time_point began_{};
   std::chrono::steady_clock::time_point progress_told_{};
   std::chrono::steady_clock::time_point temperatures_told_{};

@@ -80,7 +80,7 @@ void remove_all_but(const std::set<fs::path>& kept, const fs::path& folder) {
 
 Result<Store> Store::open(const fs::path& folder) {
   for (const fs::path& each :
-       {folder, folder / "files", folder / "incoming", folder / "journals"}) {
+       {folder, folder / "files", folder / "pictures", folder / "incoming", folder / "journals"}) {
     if (const auto ok = make_folder(each); !ok) return fail(ok.error());
   }
   auto database = Database::open(folder / "slipstick.db");
@@ -127,8 +127,11 @@ Result<void> Store::sweep() {
       database_.query("SELECT id, extension FROM files WHERE current = 1 OR id IN " + kWanted);
   if (!rows) return fail(rows.error());
   std::set<fs::path> kept;
-  for (const SqlRow& row : *rows) kept.insert(path_of(row.integer(0), row.text(1)));
-  for (const char* name : {"files", "incoming"}) remove_all_but(kept, folder_ / name);
+  for (const SqlRow& row : *rows) {
+    kept.insert(path_of(row.integer(0), row.text(1)));
+    kept.insert(picture_of(row.integer(0)));
+  }
+  for (const char* name : {"files", "pictures", "incoming"}) remove_all_but(kept, folder_ / name);
   return {};
 }
 
@@ -160,6 +163,10 @@ Result<void> Store::clear_bed() {
 
 fs::path Store::path_of(std::int64_t file, std::string_view extension) const {
   return folder_ / "files" / fmt::format("{}{}", file, extension);
+}
+
+fs::path Store::picture_of(std::int64_t file) const {
+  return folder_ / "pictures" / fmt::format("{}.png", file);
 }
 
 Result<StoredFile> Store::add_file(const FileName& name, const fs::path& from, std::int64_t now) {
@@ -227,6 +234,7 @@ void Store::discard(const StoredFile& file) {
   if (!wanting || !wanting->empty()) return;
   std::error_code ignored;
   fs::remove(path_of(file.id, file.extension), ignored);
+  fs::remove(picture_of(file.id), ignored);
 }
 
 }  // namespace slipstick

@@ -49,6 +49,7 @@ struct StoredJob {
 ///
 ///     slipstick.db          the database; its schema is in store.cpp
 ///     files/17.stl          the bytes of file 17; a file, once stored, never changes
+///     pictures/17.png       a small picture of file 17, once somebody has asked for it
 ///     journals/5.journal    what is needed to take up the print of job 5, until the bed is clear
 ///     incoming/             uploads under way; emptied at the start
 ///
@@ -73,6 +74,8 @@ class Store {
   /// A path for bytes that are not a file yet.
   [[nodiscard]] std::filesystem::path incoming(std::string_view name) const;
   [[nodiscard]] std::filesystem::path path_of(std::int64_t file, std::string_view extension) const;
+  /// Where the picture of a file is kept, if there is one. It goes with the file.
+  [[nodiscard]] std::filesystem::path picture_of(std::int64_t file) const;
 
   /// Takes over the bytes in `from`, which are on the disk. A file of that name is replaced; jobs
   /// that want it keep the old one. \return kUnavailable also if there are too many.

@@ -33,6 +33,27 @@ export async function ask(method, path, body) {
   return response.status === 204 ? null : response.json();
 }
 
+export async function askBlob(path) {
+  return (await checked(await fetch('/api/v1/' + path, {headers: headers()}))).blob();
+}
+
+// Stores a file under its name; `told(share)` as it goes out, which `fetch` does not tell.
+export function send(file, told) {
+  return new Promise((resolve, reject) => {
+    const request = new XMLHttpRequest();
+    request.open('PUT', '/api/v1/files/' + encodeURIComponent(file.name));
+    for (const [name, value] of Object.entries(headers())) request.setRequestHeader(name, value);
+    request.responseType = 'json';
+    request.upload.addEventListener('progress', ({loaded, total}) => total && told(loaded / total));
+    request.addEventListener('error', () => reject(new Error(`${file.name}: the daemon cannot be reached`)));
+    request.addEventListener('load', () => {
+      if (request.status < 300) resolve(request.response);
+      else reject(new Refused(request.status, `${file.name}: ${request.response?.error ?? request.statusText}`));
+    });
+    request.send(file);
+  });
+}
+
 export function specQuery(spec) {
   return '?spec=' + encodeURIComponent(JSON.stringify(spec));
 }

@@ -19,8 +19,8 @@ namespace slipstick::test {
 class RunningDaemon {
  public:
   explicit RunningDaemon(std::string printer = "sim:", std::string listen = "127.0.0.1:0",
-                         const HttpLimits& limits = {})
-      : limits_(limits) {
+                         const HttpLimits& limits = {}, std::string camera = {})
+      : limits_(limits), camera_(std::move(camera)) {
     start(std::move(printer), std::move(listen));
   }
   ~RunningDaemon() { stop(); }
@@ -61,6 +61,7 @@ class RunningDaemon {
     options.listen = std::move(listen);
     options.port = std::move(printer);
     options.http = limits_;
+    options.camera = camera_;
     auto daemon = Daemon::start(options);
     INFO((daemon ? "" : daemon.error().message));
     REQUIRE(daemon);
@@ -71,6 +72,7 @@ class RunningDaemon {
   }
 
   const HttpLimits limits_;
+  const std::string camera_;
   TemporaryFolder folder_;
   std::unique_ptr<Daemon> daemon_;
   std::atomic<bool> goes_on_{true};

@@ -167,11 +167,12 @@ TEST_CASE("The page and all it is made of are there, and may load nothing from e
   CHECK(page.headers.at("x-content-type-options") == "nosniff");
   CHECK(page.body.find("<script>") == page.body.npos);
   CHECK(page.body.find("onclick") == page.body.npos);
-  for (const char* name :
-       {"style.css", "main.js", "api.js", "draw.js", "preview.js", "changes.js"}) {
-    INFO(name);
-    const auto asset = daemon.get(std::string("/assets/") + name);
-    std::ifstream file(std::string(SLIPSTICK_SOURCE_DIR) + "/host/web/" + name);
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::string(SLIPSTICK_SOURCE_DIR) + "/host/web")) {
+    if (entry.path().extension() == ".cmake") continue;
+    INFO(entry.path());
+    const auto asset = daemon.get("/assets/" + entry.path().filename().string());
+    std::ifstream file(entry.path());
     CHECK(asset.body == std::string(std::istreambuf_iterator<char>(file), {}));
     CHECK(asset.body.find("innerHTML") == asset.body.npos);
   }
@@ -226,6 +227,9 @@ TEST_CASE("Mistakes in how the daemon is started are told at the start") {
   wrong = options;
   wrong.defaults.printer = "nobody";
   CHECK_THAT(fault(wrong), Contains("nobody"));
+  wrong = options;
+  wrong.camera = "rtsp://camera";
+  CHECK_THAT(fault(wrong), Contains("camera") && Contains("http://"));
   wrong = options;
   wrong.data = "/proc/nowhere";
   CHECK_THAT(fault(wrong), Contains("/proc/nowhere"));

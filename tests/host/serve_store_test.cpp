@@ -175,11 +175,16 @@ TEST_CASE("What a crash left without a row is removed at the start") {
   const auto stray = shelf.store->path_of(99, ".stl"), half = shelf.store->incoming("7");
   std::ofstream(stray) << "stray";
   std::ofstream(half) << "half";
+  const auto picture = shelf.store->picture_of(file.id), other = shelf.store->picture_of(99);
+  std::ofstream(picture) << "PNG";
+  std::ofstream(other) << "PNG";
 
   REQUIRE(shelf.store->recover(300));
 
   CHECK(!std::filesystem::exists(stray));
   CHECK(!std::filesystem::exists(half));
+  CHECK(!std::filesystem::exists(other));
+  CHECK(std::filesystem::exists(picture));
   CHECK(shelf.bytes_of(file) == "solid");
 }
 
