@@ -19,7 +19,6 @@ double wanted_speed(Role role, const ToolpathSettings& t) {
     case Role::kSkirt:
       return t.first_layer_speed;
     case Role::kOuterPerimeter:
-      return t.outer_perimeter_speed;
     case Role::kThinBead:
       return t.outer_perimeter_speed;
     case Role::kInnerPerimeter:

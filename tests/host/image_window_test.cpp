@@ -33,26 +33,20 @@ TEST_CASE("An image is made once, and again only if it was forgotten") {
   CHECK(made == 2);
 }
 
-TEST_CASE("threads: an image that is forgotten while it is made still comes to all who wait") {
+TEST_CASE("threads: an image that is forgotten while it is made still comes to who made it") {
   std::promise<void> begun, forgotten;
-  std::atomic<int> made = 0;
   ImageWindow window(kGrid, 0, 10, [&](int) {
-    if (made++ == 0) {
-      begun.set_value();
-      forgotten.get_future().wait();
-    }
+    begun.set_value();
+    forgotten.get_future().wait();
     return some_image();
   });
-  std::atomic<int> came = 0;
-  const auto take = [&] { came += window.image(3).has_value() ? 1 : 0; };
-  {
-    const std::jthread maker(take);
-    begun.get_future().wait();
-    const std::jthread waiter(take);
+  std::atomic<bool> came = false;
+  std::jthread maker([&] { came = window.image(3).has_value(); });
+  begun.get_future().wait();
 
-    window.forget_below(9);
-    forgotten.set_value();
-  }
+  window.forget_below(9);
+  forgotten.set_value();
+  maker.join();
 
-  CHECK(came == 2);
+  CHECK(came);
 }
