@@ -1,5 +1,7 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "host/serve/routes.h"
 
 namespace slipstick {
@@ -22,6 +24,7 @@ namespace slipstick {
 [[nodiscard]] HttpResponse get_picture(const HttpRequest& request, Services& services);
 [[nodiscard]] HttpResponse get_layers(const HttpRequest& request, Services& services);
 [[nodiscard]] HttpResponse get_layer(const HttpRequest& request, Services& services);
+[[nodiscard]] nlohmann::ordered_json to_json(const StoredFile& file);
 
 // api_jobs.cpp
 [[nodiscard]] HttpResponse get_jobs(const HttpRequest& request, Services& services);

@@ -1,20 +1,16 @@
 // /api/v1/files: what can be printed, and layers of it before it is.
 #include <charconv>
-#include <ctime>
 #include <nlohmann/json.hpp>
 
 #include "host/atomic_file.h"
 #include "host/serve/api.h"
 #include "host/serve/file_picture.h"
+#include "host/serve/received_file.h"
 
 namespace slipstick {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json to_json(const StoredFile& file) {
-  return {{"name", file.name}, {"size", file.size}, {"created", file.created}};
-}
 
 HttpResponse no_such_file(const std::string& name) {
   return error_response(404, "there is no file " + name);
@@ -47,6 +43,10 @@ HttpResponse json_text(const Result<std::string>& text) {
 
 }  // namespace
 
+Json to_json(const StoredFile& file) {
+  return {{"name", file.name}, {"size", file.size}, {"created", file.created}};
+}
+
 HttpResponse get_files(const HttpRequest&, Services& services) {
   const auto files = services.store.files();
   if (!files) return error_response(files.error());
@@ -63,12 +63,8 @@ HttpResponse get_file(const HttpRequest& request, Services& services) {
 HttpResponse put_file(const HttpRequest& request, Services& services) {
   const auto name = FileName::from(request.parameter("name"));
   if (!name) return error_response(name.error());
-  if (!request.upload || request.upload->size == 0) return error_response(400, "the file is empty");
-  const auto stored =
-      services.store.add_file(*name, request.upload->path, std::int64_t{std::time(nullptr)});
-  if (!stored) return error_response(stored.error());
-  services.events.publish("files", to_json(*stored).dump());
-  return json_response(to_json(*stored), 201);
+  const ReceivedFile received = receive_file(*name, request, services);
+  return received.refusal ? *received.refusal : json_response(to_json(received.file), 201);
 }
 
 HttpResponse delete_file(const HttpRequest& request, Services& services) {

@@ -35,7 +35,9 @@ HttpResponse resume_printer(const HttpRequest&, Services& services) {
 
 HttpResponse stop_printer(const HttpRequest&, Services& services) {
   const auto told = services.printer.emergency_stop();
-  return told ? empty_response() : error_response(told.error());
+  if (!told) return error_response(told.error());
+  services.events.publish("emergency", "{}");
+  return empty_response();
 }
 
 HttpResponse clear_bed(const HttpRequest&, Services& services) {

@@ -11,6 +11,7 @@
 #include "host/serve/access.h"
 #include "host/serve/api_key.h"
 #include "host/serve/hook_runner.h"
+#include "host/serve/octoprint.h"
 #include "host/serve/service_manager.h"
 
 namespace slipstick {
@@ -59,6 +60,8 @@ class Daemon::Implementation {
         {options_.data, options_.port, options_.defaults, options_.power_on}, board_, events_);
     if (!worker) return fail(worker.error());
     worker_ = std::move(*worker);
+    const auto session = random_key();
+    if (!session) return fail(session.error());
     for (auto* services : {&quick_, &slow_}) {
       auto store = Store::open(options_.data);
       if (!store) return fail(store.error());
@@ -70,7 +73,8 @@ class Daemon::Implementation {
                                  board_,
                                  events_,
                                  began_,
-                                 *camera});
+                                 *camera,
+                                 *session});
     }
     return tell_broker();
   }
@@ -92,7 +96,20 @@ class Daemon::Implementation {
             [this](const Route& route, const HttpRequest& request) {
               return route.handle(request, route.kind == RouteKind::kSlow ? *slow_ : *quick_);
             },
-            [this] { return quick_->store.incoming(fmt::format("{}", ++uploads_)); }};
+            [this] { return quick_->store.incoming(fmt::format("{}", ++uploads_)); }, push_site()};
+  }
+
+  // Browsers cannot show a key when they open a WebSocket: they say what a login gave them.
+  PushSite push_site() {
+    return {[this]() -> std::optional<OctoMoment> {
+              auto moment = octo_moment(*quick_);
+              return moment ? std::optional(std::move(*moment)) : std::nullopt;
+            },
+            [this](const HttpRequest& head) { return !rules_->check(head); },
+            [this](std::string_view user, std::string_view session) {
+              return user == kOctoPrintUser &&
+                     equal_in_constant_time(session, quick_->push_session);
+            }};
   }
 
   Result<void> tell_broker() {

@@ -8,6 +8,7 @@
 #include <charconv>
 
 #include "host/serve/http_session.h"
+#include "host/serve/push_session.h"
 
 namespace slipstick {
 namespace {
@@ -70,6 +71,7 @@ Result<void> HttpServer::Implementation::listen(const std::string& address) {
 
 void HttpServer::Implementation::run(const EventLog& events, const std::function<bool()>& goes_on) {
   shared_.events = &events;
+  shared_.hub.emplace(shared_.site.push, events);
   accept();
   tick(goes_on);
   shared_.io.run();
@@ -103,9 +105,12 @@ void HttpServer::Implementation::tick(const std::function<bool()>& goes_on) {
 }
 
 void HttpServer::Implementation::flush() {
+  shared_.hub->follow();
   // A stream that ends while it is flushed leaves the set.
   const std::set<HttpSession*> streams = shared_.streams;
   for (HttpSession* stream : streams) stream->shared_from_this()->flush();
+  const std::set<PushSession*> pushes = shared_.pushes;
+  for (PushSession* push : pushes) push->shared_from_this()->flush();
 }
 
 void HttpServer::Implementation::wake() {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "host/serve/event_log.h"
+#include "host/serve/push_hub.h"
 #include "host/serve/routes.h"
 
 namespace slipstick {
@@ -20,6 +21,8 @@ struct HttpSite {
   std::function<HttpResponse(const Route& route, const HttpRequest& request)> answer;
   /// Where the next upload may be written.
   std::function<std::filesystem::path()> upload_path;
+  /// What OctoPrint's push socket tells, and whom. On the server's thread.
+  PushSite push = {};
 };
 
 /// Bounds of what a connection may ask for, of the time each part may take, and of how many there
@@ -32,6 +35,9 @@ struct HttpLimits {
   std::chrono::milliseconds head_patience{15'000};  ///< Also between requests.
   std::chrono::milliseconds body_patience{30'000};  ///< For each 64 KiB of it.
   std::chrono::milliseconds write_patience{30'000};
+  /// A WebSocket whose client is silent for half of it is pinged, and ends with it. Until its
+  /// client may listen it has as long as a head.
+  std::chrono::milliseconds push_patience{60'000};
   int connections = 128;
   int connections_of_one = 32;  ///< Of one other machine; this one may have all.
   int streams = 64;             ///< Of events; they are among the connections.
@@ -56,7 +62,7 @@ class HttpServer {
   [[nodiscard]] bool is_loopback() const;
 
   /// Answers until `goes_on`, asked ten times a second, says no. Once. `events` are what event
-  /// streams send.
+  /// streams and push sockets tell.
   void run(const EventLog& events, const std::function<bool()>& goes_on);
 
   /// There are new events. Any thread, also before `run`.

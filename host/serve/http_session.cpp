@@ -3,12 +3,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/asio/post.hpp>
 #include <boost/asio/write.hpp>
 #include <boost/beast/core/string.hpp>
 #include <boost/beast/http/read.hpp>
 #include <boost/beast/http/write.hpp>
+#include <boost/beast/websocket/rfc6455.hpp>
 #include <sstream>
+#include <utility>
+
+#include "host/serve/file_names.h"
+#include "host/serve/push_session.h"
 
 namespace slipstick {
 namespace {
@@ -50,6 +56,13 @@ std::string lower(beast::string_view text) {
   return out;
 }
 
+// What is to be stored need not be sent if it cannot be called that.
+Result<FileName> name_in_address(const HttpRequest& request) {
+  const std::string& path = request.parameter("path");
+  return FileName::from(path.empty() ? std::string_view(request.parameter("name"))
+                                     : last_segment(path));
+}
+
 std::string event_text(const EventLog::Event& event) {
   return fmt::format("id: {}\nevent: {}\ndata: {}\n\n", event.number, event.type, event.data);
 }
@@ -65,6 +78,11 @@ void add_common_headers(Fields& fields) {
 
 }  // namespace
 
+int HttpShared::listeners() const {
+  return static_cast<int>(streams.size()) +
+         static_cast<int>(std::ranges::count_if(pushes, &PushSession::listens));
+}
+
 HttpSession::HttpSession(HttpShared& server, tcp::socket socket, HttpSeats::Seat seat)
     : server_(server), seat_(seat), stream_(std::move(socket)) {
   server_.sessions.emplace(seat_, this);
@@ -76,6 +94,7 @@ HttpSession::~HttpSession() {
 }
 
 void HttpSession::cut_off() {
+  if (const auto push = push_.lock()) return push->cut_off();
   stream_.close();
 }
 
@@ -123,7 +142,12 @@ void HttpSession::on_head(ErrorValue error) {
   if (found.route == nullptr) return refuse(std::move(found.refusal));
   route_ = found.route;
   request_.parameters = std::move(found.parameters);
+  follow_route();
+}
+
+void HttpSession::follow_route() {
   if (route_->kind == RouteKind::kEvents && !head_only_) return begin_stream();
+  if (route_->kind == RouteKind::kPush && is_upgrade()) return begin_push();
   begin_body();
 }
 
@@ -140,6 +164,10 @@ void HttpSession::begin_body() {
   if (route_->body == RouteBody::kText &&
       parser_->content_length().value_or(0) > HttpLimits::kText) {
     return refuse(error_response(413, "more than 1 MiB"));
+  }
+  if (route_->body == RouteBody::kUpload) {
+    const auto name = name_in_address(request_);
+    if (!name) return refuse(error_response(name.error()));
   }
   if (route_->body != RouteBody::kText) {
     std::optional<std::string> boundary;
@@ -163,9 +191,15 @@ void HttpSession::read_body() {
   if (parser_->is_done()) return answer();
   parser_->get().body().data = chunk_.data();
   parser_->get().body().size = chunk_.size();
+  taken_ = 0;
   server_.seats.does(seat_, HttpSeats::Doing::kTransfer);
   stream_.expires_after(server_.limits.body_patience);
-  http::async_read(
+  read_more();
+}
+
+// What comes is looked at as it comes, but patience begins anew with whole chunks only.
+void HttpSession::read_more() {
+  http::async_read_some(
       stream_, buffer_, *parser_,
       [self = shared_from_this()](ErrorValue error, std::size_t) { self->on_body(error); });
 }
@@ -176,16 +210,21 @@ void HttpSession::on_body(ErrorValue error) {
     if (is_of_http(error)) refuse(error_response(400, "the body is not what its head says"));
     return;  // gone, or too slow
   }
-  const std::string_view bytes(chunk_.data(), chunk_.size() - parser_->get().body().size);
+  const std::size_t had = std::exchange(taken_, chunk_.size() - parser_->get().body().size);
+  const std::string_view bytes(chunk_.data() + had, taken_ - had);
   if (upload_) {
-    if (const auto ok = upload_->write(bytes); !ok) return refuse(error_response(ok.error()));
+    if (const auto ok = upload_->write(bytes); !ok) {
+      return refuse(upload_->name_is_wrong() ? error_response(415, ok.error().message)
+                                             : error_response(ok.error()));
+    }
   } else {
     if (request_.body.size() + bytes.size() > HttpLimits::kText) {
       return refuse(error_response(413, "more than 1 MiB"));
     }
     request_.body += bytes;
   }
-  read_body();
+  if (parser_->is_done() || taken_ == chunk_.size()) return read_body();
+  read_more();
 }
 
 void HttpSession::answer() {
@@ -218,6 +257,7 @@ void HttpSession::answer_slowly() {
 
 // An answer before the request was read: the connection cannot be used for another.
 void HttpSession::refuse(HttpResponse response) {
+  upload_.reset();
   keep_ = false;
   linger_ = true;
   send(std::move(response));
@@ -265,7 +305,7 @@ void HttpSession::close() {
 }
 
 void HttpSession::begin_stream() {
-  if (server_.streams.size() >= static_cast<std::size_t>(server_.limits.streams)) {
+  if (server_.listeners() >= server_.limits.streams) {
     return refuse(error_response(503, "too many listen to events already"));
   }
   seen_ = server_.events->last();
@@ -305,6 +345,31 @@ void HttpSession::watch_for_end() {
                             if (error) return self->end_stream();
                             self->watch_for_end();
                           });
+}
+
+bool HttpSession::is_upgrade() const {
+  return beast::websocket::is_upgrade(parser_->get());
+}
+
+// From now on this only keeps the seat.
+void HttpSession::begin_push() {
+  if (!parser_->is_done() || buffer_.size() != 0) {
+    return refuse(error_response(400, "a request for a WebSocket is followed by its answer"));
+  }
+  if (auto fault = websocket_fault(request_)) return refuse(std::move(*fault));
+  const bool granted = server_.hub->admits(request_);
+  if (granted && server_.listeners() >= server_.limits.streams) {
+    return refuse(error_response(503, "too many listen to events already"));
+  }
+  using Framing = PushClient::Framing;
+  using Admission = PushClient::Admission;
+  const PushClient client(request_.parameter("session").empty() ? Framing::kRaw : Framing::kSockJs,
+                          granted ? Admission::kGranted : Admission::kByAuth);
+  stream_.expires_never();
+  const auto push =
+      std::make_shared<PushSession>(server_, shared_from_this(), std::move(stream_), client);
+  push_ = push;
+  push->accept(parser_->get());
 }
 
 void HttpSession::end_stream() {

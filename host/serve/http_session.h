@@ -21,6 +21,7 @@
 namespace slipstick {
 
 class HttpSession;
+class PushSession;
 
 /// What the connections of one server share. Sessions know it to their end, which may be that of
 /// `io`: it comes last.
@@ -32,10 +33,15 @@ struct HttpShared {
 
   const HttpSite site;
   const HttpLimits limits;
+  /// How many listen to events.
+  [[nodiscard]] int listeners() const;
+
   const EventLog* events = nullptr;  ///< Set once, by `HttpServer::run`.
+  std::optional<PushHub> hub;        ///< Likewise.
   HttpSeats seats;
   std::map<HttpSeats::Seat, HttpSession*> sessions;
   std::set<HttpSession*> streams;
+  std::set<PushSession*> pushes;
   int slow_requests = 0;
   boost::asio::io_context io{1};
   boost::asio::thread_pool slow{1};
@@ -56,15 +62,19 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   void flush();
   /// Ends it at once.
   void cut_off();
+  /// It does not give way to others any more.
+  void serve() { server_.seats.does(seat_, HttpSeats::Doing::kService); }
 
  private:
   using ErrorValue = boost::system::error_code;
   static constexpr std::size_t kChunk = 64 << 10;
 
   void on_head(ErrorValue error);
+  void follow_route();
   void take_head();
   void begin_body();
   void read_body();
+  void read_more();
   void on_body(ErrorValue error);
   void answer();
   void answer_slowly();
@@ -74,6 +84,8 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   void linger(int reads);
   void close();
   void begin_stream();
+  [[nodiscard]] bool is_upgrade() const;
+  void begin_push();
   void write_stream(std::string text);
   void watch_for_end();
   void end_stream();
@@ -84,6 +96,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   boost::beast::flat_static_buffer<HttpLimits::kHead + kChunk> buffer_;
   std::optional<boost::beast::http::request_parser<boost::beast::http::buffer_body>> parser_;
   std::array<char, kChunk> chunk_{};
+  std::size_t taken_ = 0;  // of it
   HttpRequest request_;
   const Route* route_ = nullptr;
   std::optional<UploadBody> upload_;
@@ -97,6 +110,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   bool writing_ = false;
   std::string outgoing_;
   std::chrono::steady_clock::time_point written_{};
+  std::weak_ptr<PushSession> push_;  // what this connection became
 };
 
 }  // namespace slipstick

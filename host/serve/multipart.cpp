@@ -155,9 +155,8 @@ Result<void> MultipartParser::begin_part(std::string_view head) {
   }
   if (has_file_) return refuse("more than one file");
   has_file_ = true;
-  sink_.file(*file);
   stage_ = Stage::kFile;
-  return {};
+  return sink_.file(*file);
 }
 
 void MultipartParser::end_part() {

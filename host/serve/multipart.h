@@ -21,8 +21,8 @@ class MultipartParser {
 
   struct Sink {
     std::function<void(std::string name, std::string value)> field;
-    /// Once: the file's name as the client gives it.
-    std::function<void(std::string name)> file;
+    /// Once, before its bytes: the file's name as the client gives it.
+    std::function<Result<void>(std::string name)> file;
     std::function<Result<void>(std::string_view bytes)> bytes;  ///< Of the file.
   };
 
@@ -32,7 +32,7 @@ class MultipartParser {
   MultipartParser(std::string_view boundary, Sink sink);
 
   /// The next bytes. \return kInput for what is no form, has too much of something or two files;
-  /// or what `Sink::bytes` failed with. After that the parser is not to be used.
+  /// or what `Sink::file` or `Sink::bytes` failed with. After that the parser is not to be used.
   [[nodiscard]] Result<void> feed(std::string_view bytes);
 
   /// Whether the last boundary came.

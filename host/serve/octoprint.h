@@ -1,5 +1,6 @@
 #pragma once
 
+#include "host/serve/octoprint_state.h"
 #include "host/serve/routes.h"
 
 namespace slipstick {
@@ -7,6 +8,9 @@ namespace slipstick {
 /// \file
 /// The part of OctoPrint's API that slicers and phone apps use (OctoPrint 1.10, docs/api), so that
 /// they work with this daemon unchanged.
+
+/// Whom a login answers for.
+inline constexpr const char* kOctoPrintUser = "slipstick";
 
 // octoprint_system.cpp
 [[nodiscard]] HttpResponse octo_version(const HttpRequest& request, Services& services);
@@ -17,11 +21,16 @@ namespace slipstick {
 [[nodiscard]] HttpResponse octo_profiles(const HttpRequest& request, Services& services);
 [[nodiscard]] HttpResponse octo_connection(const HttpRequest& request, Services& services);
 [[nodiscard]] HttpResponse octo_connect(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse octo_push_info(const HttpRequest& request, Services& services);
+/// 426: what is no WebSocket.
+[[nodiscard]] HttpResponse octo_no_push(const HttpRequest& request, Services& services);
 
 // octoprint_printer.cpp
 [[nodiscard]] HttpResponse octo_printer(const HttpRequest& request, Services& services);
 [[nodiscard]] HttpResponse octo_job(const HttpRequest& request, Services& services);
 [[nodiscard]] HttpResponse octo_command(const HttpRequest& request, Services& services);
+/// \return kUnavailable, as of any look into the store.
+[[nodiscard]] Result<OctoMoment> octo_moment(Services& services);
 
 // api_adjust.cpp
 [[nodiscard]] HttpResponse octo_printhead(const HttpRequest& request, Services& services);
@@ -34,8 +43,5 @@ namespace slipstick {
 [[nodiscard]] HttpResponse octo_file(const HttpRequest& request, Services& services);
 [[nodiscard]] HttpResponse octo_upload(const HttpRequest& request, Services& services);
 [[nodiscard]] HttpResponse octo_select(const HttpRequest& request, Services& services);
-
-/// "Operational", "Printing", "Paused", "Cancelling" or "Error".
-[[nodiscard]] std::string_view octo_state(PrinterActivity activity);
 
 }  // namespace slipstick

@@ -1,9 +1,9 @@
 // OctoPrint's API: uploads, and files to be printed.
-#include <ctime>
 #include <nlohmann/json.hpp>
 
 #include "host/serve/api.h"
 #include "host/serve/octoprint.h"
+#include "host/serve/received_file.h"
 
 namespace slipstick {
 namespace {
@@ -15,30 +15,16 @@ std::string address_of(const HttpRequest& request, const std::string& name) {
 }
 
 Json to_json(const StoredFile& file, const HttpRequest& request) {
-  const auto name = FileName::from(file.name);
-  const bool is_gcode = name && name->is_gcode();
-  const char* type = is_gcode ? "machinecode" : "model";
+  const Json types = octo_type_path(file.name);
   return {{"name", file.name},
           {"display", file.name},
           {"path", file.name},
-          {"type", type},
-          {"typePath", Json::array({type, is_gcode ? "gcode" : "stl"})},
+          {"type", types[0]},
+          {"typePath", types},
           {"origin", "local"},
           {"size", file.size},
           {"date", file.created},
           {"refs", {{"resource", address_of(request, file.name)}}}};
-}
-
-std::string field(const HttpUpload& upload, const std::string& name) {
-  const auto at = upload.fields.find(name);
-  return at == upload.fields.end() ? "" : at->second;
-}
-
-// Starts it now, or as soon as what is being printed is over.
-Result<void> print_file(const StoredFile& file, Services& services) {
-  const auto job = queue_job(file, "{}", QueuePlace::kNow, services);
-  if (!job) return fail(job.error());
-  return {};
 }
 
 // The file the address names, or the refusal.
@@ -68,29 +54,25 @@ HttpResponse octo_file(const HttpRequest& request, Services& services) {
   return named.refusal ? *named.refusal : json_response(to_json(named.file, request));
 }
 
-// The fields may stand before the file or behind it. Folders are not kept: `path` says nothing.
+// The fields may stand before the file or behind it.
 HttpResponse octo_upload(const HttpRequest& request, Services& services) {
-  const HttpUpload& upload = *request.upload;
-  if (upload.name.empty() || upload.size == 0) return error_response(400, "no file to upload");
-  const auto name = FileName::from(last_segment(upload.name));
-  if (!name) return error_response(415, name.error().message);
-  const auto file = services.store.add_file(*name, upload.path, std::int64_t{std::time(nullptr)});
-  if (!file) return error_response(file.error());
-  services.events.publish("files", to_json(*file, request).dump());
-  const bool print = field(upload, "print") == "true";
-  const bool select = print || field(upload, "select") == "true";
+  const ReceivedFile received = receive_form(request, services);
+  if (received.refusal) return *received.refusal;
+  const StoredFile& file = received.file;
+  const bool print = form_field(request, "print") == "true";
+  const bool select = print || form_field(request, "select") == "true";
   if (select) {
-    if (const auto ok = services.store.select(file->name); !ok) return error_response(ok.error());
+    if (const auto ok = services.store.select(file.name); !ok) return error_response(ok.error());
   }
   if (print) {
-    if (const auto ok = print_file(*file, services); !ok) return error_response(ok.error());
+    if (const auto ok = print_file(file, services); !ok) return error_response(ok.error());
   }
-  HttpResponse response = json_response({{"files", {{"local", to_json(*file, request)}}},
+  HttpResponse response = json_response({{"files", {{"local", to_json(file, request)}}},
                                          {"done", true},
                                          {"effectiveSelect", select},
                                          {"effectivePrint", print}},
                                         201);
-  response.headers.emplace_back("Location", address_of(request, file->name));
+  response.headers.emplace_back("Location", address_of(request, file.name));
   return response;
 }
 

@@ -1,6 +1,5 @@
 // OctoPrint's API: what the printer does, and the job under way.
-#include <array>
-#include <cmath>
+#include <ctime>
 #include <nlohmann/json.hpp>
 
 #include "host/serve/api.h"
@@ -10,61 +9,6 @@ namespace slipstick {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json heater(const HeaterReading& reading) {
-  return {{"actual", std::isfinite(reading.celsius) ? Json(reading.celsius) : Json()},
-          {"target", reading.target.value_or(0)},
-          {"offset", 0}};
-}
-
-Json temperatures(const std::optional<Temperatures>& seen) {
-  Json json = Json::object();
-  if (seen && seen->hotend) json["tool0"] = heater(*seen->hotend);
-  if (seen && seen->bed) json["bed"] = heater(*seen->bed);
-  return json;
-}
-
-Json flags(PrinterActivity activity) {
-  const bool stopped = activity == PrinterActivity::kStopped;
-  return {{"operational", !stopped},
-          {"printing", activity == PrinterActivity::kPrinting},
-          {"paused", activity == PrinterActivity::kPaused},
-          {"pausing", false},
-          {"resuming", false},
-          {"finishing", false},
-          {"cancelling", activity == PrinterActivity::kEnding},
-          {"sdReady", false},
-          {"error", stopped},
-          {"ready", activity == PrinterActivity::kIdle},
-          {"closedOrError", stopped}};
-}
-
-Json progress(const PrinterStatus& status) {
-  if (status.job == 0) {
-    return {{"completion", nullptr},
-            {"filepos", nullptr},
-            {"printTime", nullptr},
-            {"printTimeLeft", nullptr},
-            {"printTimeLeftOrigin", nullptr}};
-  }
-  const Json left = status.seconds_left ? Json(std::lround(*status.seconds_left)) : Json();
-  return {{"completion", 100 * status.completion},
-          {"filepos", nullptr},
-          {"printTime", std::lround(status.seconds)},
-          {"printTimeLeft", left},
-          {"printTimeLeftOrigin", left.is_null() ? Json() : Json("linear")}};
-}
-
-Json file_of(const std::string& name, Store& store) {
-  const auto file = store.file(name);
-  const bool known = file && *file;
-  return {{"name", name.empty() ? Json() : Json(name)},
-          {"display", name.empty() ? Json() : Json(name)},
-          {"path", name.empty() ? Json() : Json(name)},
-          {"origin", name.empty() ? Json() : Json("local")},
-          {"size", known ? Json((**file).size) : Json()},
-          {"date", known ? Json((**file).created) : Json()}};
-}
 
 HttpResponse start_selected(Services& services) {
   if (services.board.get().job != 0) return error_response(409, "a print is under way");
@@ -94,10 +38,18 @@ std::string text_of(const Json& json, const char* key, const char* otherwise) {
 
 }  // namespace
 
-std::string_view octo_state(PrinterActivity activity) {
-  constexpr std::array<std::string_view, 5> kTexts{"Operational", "Printing", "Paused",
-                                                   "Cancelling", "Error"};
-  return kTexts[static_cast<std::size_t>(activity)];
+Result<OctoMoment> octo_moment(Services& services) {
+  OctoMoment moment{services.board.get(), "", {}, std::int64_t{std::time(nullptr)}};
+  moment.name = moment.status.file;
+  if (moment.status.job == 0) {
+    auto selected = services.store.selected();
+    if (!selected) return fail(selected.error());
+    moment.name = std::move(*selected);
+  }
+  auto file = services.store.file(moment.name);
+  if (!file) return fail(file.error());
+  moment.file = std::move(*file);
+  return moment;
 }
 
 HttpResponse octo_printer(const HttpRequest&, Services& services) {
@@ -105,29 +57,17 @@ HttpResponse octo_printer(const HttpRequest&, Services& services) {
   if (status.activity == PrinterActivity::kStopped) {
     return error_response(409, "Printer is not operational");
   }
-  return json_response(
-      {{"temperature", temperatures(status.temperatures)},
-       {"sd", {{"ready", false}}},
-       {"state", {{"text", octo_state(status.activity)}, {"flags", flags(status.activity)}}}});
+  return json_response({{"temperature", octo_temperatures(status.temperatures)},
+                        {"sd", {{"ready", false}}},
+                        {"state", octo_state_of(status.activity)}});
 }
 
 HttpResponse octo_job(const HttpRequest&, Services& services) {
-  const PrinterStatus status = services.board.get();
-  std::string name = status.file;
-  if (status.job == 0) {
-    const auto selected = services.store.selected();
-    if (!selected) return error_response(selected.error());
-    name = *selected;
-  }
-  return json_response({{"job",
-                         {{"file", file_of(name, services.store)},
-                          {"estimatedPrintTime", nullptr},
-                          {"averagePrintTime", nullptr},
-                          {"lastPrintTime", nullptr},
-                          {"filament", nullptr},
-                          {"user", nullptr}}},
-                        {"progress", progress(status)},
-                        {"state", octo_state(status.activity)}});
+  const auto moment = octo_moment(services);
+  if (!moment) return error_response(moment.error());
+  return json_response({{"job", octo_job_of(*moment)},
+                        {"progress", octo_progress(moment->status)},
+                        {"state", octo_state(moment->status.activity)}});
 }
 
 HttpResponse octo_command(const HttpRequest& request, Services& services) {

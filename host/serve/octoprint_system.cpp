@@ -1,5 +1,6 @@
 // OctoPrint's API: who and what this is.
 #include <nlohmann/json.hpp>
+#include <random>
 
 #include "host/serve/octoprint.h"
 
@@ -8,29 +9,29 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The release whose answers are given. Slicers want the text to begin with "OctoPrint".
-constexpr const char* kRelease = "1.10.0";
-
 }  // namespace
 
+// Slicers want the text to begin with "OctoPrint"; the capability is for those that look for a
+// PrusaLink.
 HttpResponse octo_version(const HttpRequest&, Services&) {
-  return json_response(
-      {{"api", "0.1"},
-       {"server", kRelease},
-       {"text", std::string("OctoPrint ") + kRelease + " (slipstick " SLIPSTICK_VERSION ")"}});
+  return json_response({{"api", "0.1"},
+                        {"server", kOctoPrintRelease},
+                        {"text", std::string("OctoPrint ") + kOctoPrintRelease +
+                                     " (slipstick " SLIPSTICK_VERSION ")"},
+                        {"capabilities", {{"upload-by-put", true}}}});
 }
 
 HttpResponse octo_server(const HttpRequest&, Services&) {
-  return json_response({{"version", kRelease}, {"safemode", nullptr}});
+  return json_response({{"version", kOctoPrintRelease}, {"safemode", nullptr}});
 }
 
-HttpResponse octo_login(const HttpRequest&, Services&) {
-  return json_response({{"name", "slipstick"},
+HttpResponse octo_login(const HttpRequest&, Services& services) {
+  return json_response({{"name", kOctoPrintUser},
                         {"active", true},
                         {"admin", true},
                         {"user", true},
                         {"apikey", nullptr},
-                        {"session", "none"},
+                        {"session", services.push_session},
                         {"groups", {"admins", "users"}},
                         {"permissions", Json::array()},
                         {"needs", Json::object()}});
@@ -38,7 +39,7 @@ HttpResponse octo_login(const HttpRequest&, Services&) {
 
 HttpResponse octo_user(const HttpRequest&, Services&) {
   return json_response(
-      {{"name", "slipstick"}, {"groups", {"admins", "users"}}, {"permissions", Json::array()}});
+      {{"name", kOctoPrintUser}, {"groups", {"admins", "users"}}, {"permissions", Json::array()}});
 }
 
 HttpResponse octo_settings(const HttpRequest&, Services&) {
@@ -96,6 +97,20 @@ HttpResponse octo_connect(const HttpRequest& request, Services& services) {
   if (command != "\"disconnect\"") return error_response(400, "command: connect or disconnect");
   if (services.board.get().job == 0) return empty_response();
   return error_response(409, "a print is under way");
+}
+
+// Nothing but WebSockets is offered to SockJS.
+HttpResponse octo_push_info(const HttpRequest&, Services&) {
+  return json_response({{"websocket", true},
+                        {"origins", {"*:*"}},
+                        {"cookie_needed", false},
+                        {"entropy", std::random_device{}()}});
+}
+
+HttpResponse octo_no_push(const HttpRequest&, Services&) {
+  HttpResponse response = error_response(426, "this address takes WebSockets");
+  response.headers.emplace_back("Upgrade", "websocket");
+  return response;
 }
 
 }  // namespace slipstick

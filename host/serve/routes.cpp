@@ -4,6 +4,7 @@
 
 #include "host/serve/api.h"
 #include "host/serve/octoprint.h"
+#include "host/serve/slicer_hosts.h"
 
 namespace slipstick {
 namespace {
@@ -68,10 +69,39 @@ constexpr std::array kRoutes{
     Route{kGet, "/api/files/local/{name}", octo_file},
     Route{kPost, "/api/files/local/{name}", octo_select},
     Route{kDelete, "/api/files/local/{name}", delete_file},
+    Route{kGet, "/sockjs/info", octo_push_info, RouteBody::kText, RouteKind::kQuick,
+          RouteAccess::kAnyone},
+    Route{kGet, "/sockjs/websocket", octo_no_push, RouteBody::kText, RouteKind::kPush,
+          RouteAccess::kAnyone},
+    Route{kGet, "/sockjs/{server}/{session}/websocket", octo_no_push, RouteBody::kText,
+          RouteKind::kPush, RouteAccess::kAnyone},
+
+    // PrusaLink's. No file of ours is called "local", so that the addresses are no others'.
+    Route{kGet, "/api/v1/storage", link_storage},
+    Route{kPut, "/api/v1/files/local/{path}", link_put_file, RouteBody::kUpload},
+
+    // Moonraker's.
+    Route{kGet, "/server/info", moon_info},
+    Route{kGet, "/server/files/roots", moon_roots},
+    Route{kPost, "/server/files/upload", moon_upload, RouteBody::kForm},
+
+    // Repetier-Server's.
+    Route{kGet, "/printer/info", repetier_info},
+    Route{kGet, "/printer/list", repetier_list},
+    Route{kPost, "/printer/api/{slug}", repetier_ask, RouteBody::kForm},
+    Route{kPost, "/printer/model/{slug}", repetier_upload, RouteBody::kForm},
+    Route{kPost, "/printer/job/{slug}", repetier_print, RouteBody::kForm},
 };
 
 bool is_parameter(std::string_view segment) {
   return segment.starts_with('{');
+}
+
+// All segments from `first` on, as one path.
+std::string rest_of(const HttpTarget& target, std::size_t first) {
+  std::string path = target.path[first];
+  for (std::size_t i = first + 1; i < target.path.size(); ++i) path += "/" + target.path[i];
+  return path;
 }
 
 // Whether `target` has the form of `pattern`; then its parameters are in `parameters`.
@@ -82,6 +112,10 @@ bool matches(std::string_view pattern, const HttpTarget& target,
   for (std::size_t i = 0; i < target.path.size(); ++i) {
     const std::size_t end = std::min(pattern.find('/'), pattern.size());
     const std::string_view segment = pattern.substr(0, end);
+    if (segment == "{path}") {
+      parameters.emplace("path", rest_of(target, i));
+      return !target.path.back().empty();
+    }
     if (is_parameter(segment)) {
       if (target.path[i].empty()) return false;
       parameters.emplace(segment.substr(1, segment.size() - 2), target.path[i]);

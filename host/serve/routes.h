@@ -29,6 +29,7 @@ struct Services {
   EventLog& events;
   std::chrono::steady_clock::time_point began;  ///< Of the daemon.
   std::optional<CameraUrl> camera = {};
+  std::string push_session = "none";            ///< What a login gives for the push socket.
 };
 
 enum class RouteBody : std::uint8_t {
@@ -41,6 +42,7 @@ enum class RouteKind : std::uint8_t {
   kQuick,   ///< Answered at once.
   kSlow,    ///< On a thread of its own, one at a time.
   kEvents,  ///< Becomes a stream of events.
+  kPush,    ///< Becomes OctoPrint's push socket, if it is a WebSocket.
 };
 
 enum class RouteAccess : std::uint8_t {
@@ -50,7 +52,7 @@ enum class RouteAccess : std::uint8_t {
 
 struct Route {
   HttpMethod method;
-  std::string_view pattern;  ///< "/api/v1/jobs/{id}"
+  std::string_view pattern;  ///< "/api/v1/jobs/{id}"; a last `{path}` is all that follows.
   HttpResponse (*handle)(const HttpRequest&, Services&);
   RouteBody body = RouteBody::kText;
   RouteKind kind = RouteKind::kQuick;

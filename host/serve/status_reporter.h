@@ -26,7 +26,7 @@ class StatusReporter {
   /// After each turn of the printing loop.
   void turn(PrintControl::Wish wish, const StreamFigures& figures);
   void heard(const SenderEvent& event);
-  /// How job `id` ended, by name.
+  /// Just before `job_ended`. \param state by its name.
   void job_came_to(std::int64_t id, std::string_view state, const std::string& message);
   /// Says what the job came to; the printer is idle, or stopped for somebody to look at.
   void job_ended(PrinterActivity activity, const std::string& message);

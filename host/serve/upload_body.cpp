@@ -1,5 +1,7 @@
 #include "host/serve/upload_body.h"
 
+#include "host/serve/file_names.h"
+
 namespace slipstick {
 
 Result<UploadBody> UploadBody::create(const std::filesystem::path& path,
@@ -14,10 +16,20 @@ Result<UploadBody> UploadBody::create(const std::filesystem::path& path,
         MultipartParser::Sink{[&to](std::string name, std::string value) {
                                 to.fields.insert_or_assign(std::move(name), std::move(value));
                               },
-                              [&to](std::string name) { to.name = std::move(name); },
+                              [&to](std::string name) { return take_name(to, std::move(name)); },
                               [&to](std::string_view bytes) { return to.file.write(bytes); }});
   }
   return UploadBody(std::move(parts));
+}
+
+// Of a form without a file there is nothing to be said yet.
+Result<void> UploadBody::take_name(Parts& parts, std::string name) {
+  parts.name = std::move(name);
+  if (parts.name.empty()) return {};
+  const auto checked = FileName::from(last_segment(parts.name));
+  if (checked) return {};
+  parts.name_is_wrong = true;
+  return fail(checked.error());
 }
 
 Result<void> UploadBody::write(std::string_view bytes) {

@@ -1,5 +1,6 @@
 // Bytes on a connection: whatever a client sends before it stops, what it gets are whole responses,
-// one after the other, and the end of the connection; the server serves the next one.
+// one after the other, or those and then whole frames of a WebSocket, and the end of the
+// connection; the server serves the next one.
 #include <charconv>
 #include <string>
 #include <thread>
@@ -8,6 +9,7 @@
 #include "host/serve/http_server.h"
 #include "tests/support/http_client.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/web_socket.h"
 
 using namespace slipstick;
 
@@ -34,7 +36,8 @@ class Site {
             [](const Route&, const HttpRequest&) {
               return HttpResponse{200, "application/json", "{}\n", {}};
             },
-            [this] { return folder_.path() / std::to_string(++uploads_); }};
+            [this] { return folder_.path() / std::to_string(++uploads_); },
+            {[] { return OctoMoment{}; }, [](const HttpRequest&) { return true; }, {}}};
   }
 
   test::TemporaryFolder folder_;
@@ -47,6 +50,16 @@ class Site {
   }};
 };
 
+// What the client gets after it is told that this is a WebSocket; empty if it is none.
+std::string take_frames(std::string& all) {
+  const std::size_t switched = all.find("HTTP/1.1 101 ");
+  const std::size_t end = all.find("\r\n\r\n", std::min(switched, all.size()));
+  if (end == std::string::npos) return "";
+  std::string frames = all.substr(end + 4);
+  all.erase(end + 4);
+  return frames;
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -54,7 +67,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   test::HttpClient client(site.port());
   client.send({reinterpret_cast<const char*>(data), size});
   client.end_sending();
-  const std::string all = client.read_until("\r\n\r\n") + client.read_until("no such text");
+  std::string all = client.read_until("\r\n\r\n") + client.read_until("no such text");
+  std::string frames = take_frames(all);
+  while (const auto frame = test::take_frame(frames)) SLIPSTICK_CHECK(!frame->masked);
+  SLIPSTICK_CHECK(frames.empty());
   SLIPSTICK_CHECK(all.empty() || all.starts_with("HTTP/1.1 "));
   SLIPSTICK_CHECK(all.empty() || all.ends_with("\r\n\r\n") || all.ends_with("}\n"));
   SLIPSTICK_CHECK(test::request(site.port(), "GET", "/api/version").status == 200);

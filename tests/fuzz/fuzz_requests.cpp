@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/check.h"
+#include "host/serve/push_client.h"
 #include "host/serve/routes.h"
 #include "tests/support/temporary_folder.h"
 
@@ -34,6 +35,22 @@ void check_json(std::string_view text) {
   SLIPSTICK_CHECK(parse_json(json.dump()) == json);
 }
 
+// A listener of the push socket says it; what it hears is JSON.
+void check_listener(std::string_view text, PushClient::Framing framing) {
+  EventLog log{[] {}};
+  PushHub hub({[] { return OctoMoment{}; }, {}, {}}, log);
+  PushClient client(framing, PushClient::Admission::kGranted);
+  SLIPSTICK_CHECK(client.hear(text, hub, {}) == PushClient::Heard::kFine ||
+                  framing == PushClient::Framing::kSockJs);
+  log.publish("files", R"({"name": "a.lua"})");
+  hub.follow();
+  const PushClient::Time later{std::chrono::hours(1'000)};
+  while (const auto frame = client.next(hub, later)) {
+    const bool sock_js = framing == PushClient::Framing::kSockJs;
+    SLIPSTICK_CHECK(nlohmann::json::accept(frame->substr(sock_js ? 1 : 0)) || *frame == "o");
+  }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -45,6 +62,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   HttpRequest request;
   request.body = input.substr(std::min(line.size() + 1, input.size()));
   check_json(request.body);
+  check_listener(request.body, PushClient::Framing::kRaw);
+  check_listener(request.body, PushClient::Framing::kSockJs);
   if (!target) return 0;
   request.method = method_of(line.substr(0, blank));
   request.target = *target;

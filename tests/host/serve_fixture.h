@@ -84,10 +84,12 @@ class RunningDaemon {
 /// a stream open on which what is waited for never comes.
 class EventReader {
  public:
-  explicit EventReader(const RunningDaemon& daemon) : client_(daemon.port()) {
-    client_.send("GET /api/v1/events HTTP/1.1\r\nHost: localhost\r\n\r\n");
-    const std::string head = client_.read_until("\r\n\r\n");
-    REQUIRE(head.find(" 200 ") != head.npos);
+  /// \param head further header lines, each ended by "\r\n".
+  explicit EventReader(const RunningDaemon& daemon, const std::string& head = "")
+      : client_(daemon.port()) {
+    client_.send("GET /api/v1/events HTTP/1.1\r\nHost: localhost\r\n" + head + "\r\n");
+    const std::string answer = client_.read_until("\r\n\r\n");
+    REQUIRE(answer.find(" 200 ") != answer.npos);
   }
 
   /// The next event of `type` for which `wanted` holds; null if the stream ends before.
@@ -119,6 +121,10 @@ class EventReader {
   HttpClient client_;
   bool at_work_ = false;  ///< By the last event that was seen.
 };
+
+/// The loopback under an address that is none for the daemon: a key is needed, and nobody but this
+/// machine can come.
+inline constexpr const char* kNeedsKey = "[::ffff:127.0.0.1]:0";
 
 inline std::string example(const std::string& name) {
   std::ostringstream text;

@@ -97,6 +97,7 @@ TEST_CASE("Who stops in the middle of a body is cut off, and what came of it is 
   client.send(head("PUT /api/v1/files/a.lua") + "Content-Length: 60\r\n\r\nhalf");
 
   CHECK(client.ended_within(60s));
+  CHECK(daemon.get("/api/v1/printer").status == 200);  // the server has had another turn
   CHECK(nothing_incoming(daemon));
 }
 

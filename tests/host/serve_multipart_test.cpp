@@ -25,7 +25,10 @@ Form parsed(const std::string& body, Piece piece, const std::string& boundary = 
   Form form;
   MultipartParser parser(
       boundary, {[&](std::string name, std::string value) { form.fields[name] = std::move(value); },
-                 [&](std::string name) { form.file_name = std::move(name); },
+                 [&](std::string name) -> Result<void> {
+                   form.file_name = std::move(name);
+                   return {};
+                 },
                  [&](std::string_view bytes) -> Result<void> {
                    form.bytes += bytes;
                    return {};

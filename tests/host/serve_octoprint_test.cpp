@@ -125,6 +125,78 @@ TEST_CASE("A print is watched, paused and cancelled as OctoPrint's clients do it
   CHECK(test::json_of(daemon.get("/api/v1/jobs/1"))["state"] == "cancelled");
 }
 
+TEST_CASE("A file that cannot be called so is refused before its bytes come") {
+  const test::RunningDaemon daemon;
+  test::HttpClient form(daemon.port()), whole(daemon.port()), link(daemon.port());
+  const std::string host = " HTTP/1.1\r\nHost: localhost\r\nContent-Length: 1000000000\r\n";
+  const std::string expect = "Expect: 100-continue\r\n\r\n";
+
+  form.send("POST /api/files/local" + host +
+            "Content-Type: multipart/form-data; boundary=XX\r\n\r\n--XX\r\n" +
+            file_part("page.html", "<script>"));
+  whole.send("PUT /api/v1/files/page.html" + host + expect);
+  link.send("PUT /api/v1/files/local/folder/page.html" + host + expect);
+
+  CHECK(form.reply().status == 415);
+  CHECK(whole.reply().status == 400);
+  CHECK(link.reply().status == 400);
+  CHECK(std::filesystem::is_empty(daemon.data() / "incoming"));
+}
+
+TEST_CASE("PrusaLink's uploads replace nothing that they do not say they do") {
+  const test::RunningDaemon daemon;
+  const std::string target = "/api/v1/files/local/a.gcode";
+  REQUIRE(daemon.put(target, kGcode).status == 201);
+
+  CHECK(daemon.put(target, "G28\n").status == 409);
+  CHECK(test::request(daemon.port(), "PUT", target, "G28\n", "Overwrite: ?0\r\n").status == 409);
+  CHECK(test::json_of(daemon.get("/api/v1/files/a.gcode"))["size"] == 13);
+  CHECK(test::request(daemon.port(), "PUT", target, "G28\n", "Overwrite: ?1\r\n").status == 201);
+  CHECK(test::json_of(daemon.get("/api/v1/files/a.gcode"))["size"] == 4);
+  CHECK(daemon.put("/api/v1/files/local/", kGcode).status == 404);
+  CHECK(daemon.put("/api/v1/files/local/..%2f..%2fa.html", kGcode).status == 400);
+  CHECK(test::json_of(daemon.get("/api/v1/jobs"))["jobs"].empty());
+}
+
+TEST_CASE("A busy printer's slicers are told that their print waits") {
+  const test::RunningDaemon daemon;
+  test::EventReader events(daemon);
+  REQUIRE(daemon.put("/api/v1/files/part.lua", test::example("gyroid_sphere.lua")).status == 201);
+  REQUIRE(daemon.post("/api/v1/jobs", R"({"file": "part.lua"})").status == 201);
+  static_cast<void>(events.wait("state", [](const json& s) { return !s["job"].is_null(); }));
+  const std::string body =
+      form({part("root", "gcodes"), part("print", "true"), file_part("a.gcode", kGcode)});
+
+  const auto reply = test::json_of(test::request(
+      daemon.port(), "POST", "/server/files/upload", body,
+      "Content-Type: multipart/form-data; boundary=------------------------d74496d66958873e\r\n"));
+
+  CHECK(reply["result"]["print_started"] == false);
+  CHECK(reply["result"]["print_queued"] == true);
+  CHECK(daemon.post("/api/v1/jobs/1/cancel").status == 204);
+}
+
+TEST_CASE("Requests to hosts that this is none of are refused") {
+  const test::RunningDaemon daemon;
+  const auto post = [&](const std::string& target, const std::vector<std::string>& parts) {
+    return test::request(daemon.port(), "POST", target, form(parts),
+                         "Content-Type: multipart/form-data; "
+                         "boundary=------------------------d74496d66958873e\r\n")
+        .status;
+  };
+
+  CHECK(post("/printer/model/other", {part("a", "upload"), file_part("a.gcode", kGcode)}) == 404);
+  CHECK(post("/printer/api/other", {part("a", "listModelGroups")}) == 404);
+  CHECK(post("/printer/api/slipstick", {part("a", "ping")}) == 400);
+  CHECK(post("/printer/model/slipstick", {file_part("a.gcode", kGcode)}) == 400);
+  CHECK(post("/printer/model/slipstick", {part("a", "upload")}) == 400);
+  CHECK(post("/server/files/upload", {part("root", "config"), file_part("a.gcode", kGcode)}) ==
+        400);
+  CHECK(post("/server/files/upload", {part("root", "gcodes")}) == 400);
+  CHECK(daemon.get("/plugin/appkeys/probe").status == 404);
+  CHECK(test::json_of(daemon.get("/api/v1/files"))["files"].empty());
+}
+
 TEST_CASE("Uploads that are none are refused, and name no file of the server") {
   const test::RunningDaemon daemon;
 

@@ -91,6 +91,14 @@ std::string HttpClient::read_until(std::string_view end) {
   return text;
 }
 
+std::string HttpClient::read(std::size_t size) {
+  while (pending_.size() < size && fill()) {
+  }
+  std::string bytes = pending_.substr(0, size);
+  pending_.erase(0, size);
+  return bytes;
+}
+
 bool HttpClient::ended() {
   while (fill()) {
   }

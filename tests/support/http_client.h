@@ -28,6 +28,8 @@ class HttpClient {
   [[nodiscard]] HttpReply reply();
   /// Up to and including `end`, or what there is when the connection ends.
   [[nodiscard]] std::string read_until(std::string_view end);
+  /// So many bytes, or what there is when the connection ends.
+  [[nodiscard]] std::string read(std::size_t size);
   [[nodiscard]] bool ended();
   /// Whether it ends, or is reset, within so long; what comes instead is kept.
   [[nodiscard]] bool ended_within(std::chrono::milliseconds patience);
