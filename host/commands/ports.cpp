@@ -4,36 +4,22 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "drivers/serial_ports.h"
 #include "host/commands/command.h"
+#include "host/ports_json.h"
 
 namespace slipstick {
 namespace {
-
-std::string id_text(const SerialPort& port) {
-  return port.usb ? fmt::format("{:04x}:{:04x}", port.usb->vendor, port.usb->product) : "";
-}
-
-nlohmann::ordered_json as_json(const std::vector<SerialPort>& ports) {
-  auto json = nlohmann::ordered_json::array();
-  for (const SerialPort& port : ports) {
-    json.push_back({{"path", port.path},
-                    {"usb", id_text(port)},
-                    {"product", port.product},
-                    {"serial", port.serial_number}});
-  }
-  return json;
-}
 
 CommandResult run_ports(bool json) {
   const auto ports = list_serial_ports();
   if (!ports) return fail(ports.error());
   if (json) {
-    std::cout << as_json(*ports).dump(2) << '\n';
+    std::cout << to_json(*ports).dump(2) << '\n';
     return 0;
   }
   for (const SerialPort& port : *ports) {
-    fmt::print("{:<16} {:<10} {} {}\n", port.path, id_text(port), port.product, port.serial_number);
+    fmt::print("{:<16} {:<10} {} {}\n", port.path, usb_text(port), port.product,
+               port.serial_number);
   }
   if (ports->empty()) fmt::print("no serial ports\n");
   return 0;

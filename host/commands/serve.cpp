@@ -90,7 +90,13 @@ CommandResult run_serve(Daemon::Options options, const ServeWords& words) {
   if (!daemon) return fail(daemon.error());
   fmt::print("listening on {}\n", (*daemon)->url());
   if (!(*daemon)->key().empty()) {
-    fmt::print("clients need the key in {}\n", (options.data / "api_key").string());
+    fmt::print("programs need a key: the one in {}, or one made on the page\n",
+               (options.data / "api_key").string());
+  }
+  if (const std::string code = (*daemon)->setup_code(); !code.empty()) {
+    fmt::print(
+        "there is no account yet; open the page and make one with the code {} (also in {})\n", code,
+        (options.data / "setup_code").string());
   }
   std::fflush(stdout);
   (*daemon)->run([] { return !Interrupt::requested(); });
@@ -109,7 +115,8 @@ void add_serve_command(CLI::App& app, ChosenCommand& run) {
   sub->add_option("--config", words->config, "TOML file with any of these options: hook = [\"…\"]")
       ->configurable(false);
   sub->add_option("--data", options->data, "folder for jobs and files")->capture_default_str();
-  sub->add_option("--listen", options->listen, "HOST:PORT; off this machine a key is needed")
+  sub->add_option("--listen", options->listen,
+                  "HOST:PORT; off this machine an account or a key is needed")
       ->capture_default_str();
   sub->add_option("--printer", options->port,
                   "/dev/ttyUSB0, usb:VID:PID[:SERIAL], pty:PATH, tcp:HOST:PORT or sim:")

@@ -11,10 +11,27 @@ namespace slipstick {
 
 // api_web.cpp
 [[nodiscard]] HttpResponse get_page(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse get_login_page(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse get_setup_page(const HttpRequest& request, Services& services);
 [[nodiscard]] HttpResponse get_asset(const HttpRequest& request, Services& services);
 
 /// Where the camera is, for the page.
 [[nodiscard]] HttpResponse get_camera(const HttpRequest& request, Services& services);
+// api_session.cpp
+[[nodiscard]] HttpResponse get_session(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse post_setup(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse post_login(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse post_logout(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse post_logout_everywhere(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse post_password(const HttpRequest& request, Services& services);
+
+// api_keys.cpp
+[[nodiscard]] HttpResponse get_keys(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse post_key(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse delete_key(const HttpRequest& request, Services& services);
+
+// api_machine.cpp
+[[nodiscard]] HttpResponse get_machine(const HttpRequest& request, Services& services);
 
 // api_files.cpp
 [[nodiscard]] HttpResponse get_files(const HttpRequest& request, Services& services);

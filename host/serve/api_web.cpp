@@ -42,6 +42,14 @@ HttpResponse get_page(const HttpRequest&, Services& services) {
   return asset("index.html", services);
 }
 
+HttpResponse get_login_page(const HttpRequest&, Services& services) {
+  return asset("login.html", services);
+}
+
+HttpResponse get_setup_page(const HttpRequest&, Services& services) {
+  return asset("setup.html", services);
+}
+
 HttpResponse get_asset(const HttpRequest& request, Services& services) {
   return asset(request.parameter("name"), services);
 }

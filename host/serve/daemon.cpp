@@ -5,14 +5,18 @@
 #include <sys/file.h>
 
 #include <atomic>
+#include <ctime>
 
 #include "drivers/transport_address.h"
 #include "drivers/unique_fd.h"
 #include "host/serve/access.h"
 #include "host/serve/api_key.h"
 #include "host/serve/hook_runner.h"
+#include "host/serve/login_desk.h"
 #include "host/serve/octoprint.h"
+#include "host/serve/secrets.h"
 #include "host/serve/service_manager.h"
+#include "host/serve/setup_code.h"
 
 namespace slipstick {
 namespace {
@@ -41,6 +45,20 @@ Result<void> check(const Daemon::Options& options) {
   return {};
 }
 
+std::int64_t now() {
+  return std::int64_t{std::time(nullptr)};
+}
+
+// What the owner of the folder put there because he forgot the password.
+Result<void> forget_accounts_if_told(const std::filesystem::path& data, Accounts& accounts) {
+  const auto file = data / "forget_accounts";
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) return {};
+  if (const auto ok = accounts.forget_all(); !ok) return ok;
+  if (std::filesystem::remove(file, error)) return {};
+  return fail(ErrorCode::kUnavailable, fmt::format("cannot remove {}", file.string()));
+}
+
 }  // namespace
 
 class Daemon::Implementation {
@@ -54,27 +72,31 @@ class Daemon::Implementation {
     if (!server) return fail(server.error());
     server_ = std::move(*server);
     if (const auto ok = make_rules(); !ok) return ok;
+    if (const auto ok = open_desk(); !ok) return ok;
     const auto camera = camera_of(options_);
     if (!camera) return fail(camera.error());
     auto worker = PrinterWorker::start(
         {options_.data, options_.port, options_.defaults, options_.power_on}, board_, events_);
     if (!worker) return fail(worker.error());
     worker_ = std::move(*worker);
-    const auto session = random_key();
-    if (!session) return fail(session.error());
+    const std::string session = random_token();
     for (auto* services : {&quick_, &slow_}) {
       auto store = Store::open(options_.data);
       if (!store) return fail(store.error());
+      auto accounts = Accounts::open(options_.data);
+      if (!accounts) return fail(accounts.error());
       services->emplace(Services{std::move(*store),
+                                 std::move(*accounts),
                                  {},
                                  options_.defaults,
                                  options_.port,
                                  *worker_,
                                  board_,
                                  events_,
+                                 *desk_,
                                  began_,
                                  *camera,
-                                 *session});
+                                 session});
     }
     return tell_broker();
   }
@@ -89,14 +111,21 @@ class Daemon::Implementation {
   }
   [[nodiscard]] std::string url() const { return "http://" + server_->address(); }
   [[nodiscard]] const std::string& key() const { return key_; }
+  [[nodiscard]] std::string setup_code() const { return desk_->setup ? desk_->setup->text() : ""; }
 
  private:
   HttpSite site() {
     return {[this](const HttpRequest& head) { return admit(head); },
             [this](const Route& route, const HttpRequest& request) {
-              return route.handle(request, route.kind == RouteKind::kSlow ? *slow_ : *quick_);
+              const bool is_slow =
+                  route.kind == RouteKind::kSlow || route.kind == RouteKind::kSecret;
+              return route.handle(request, is_slow ? *slow_ : *quick_);
             },
-            [this] { return quick_->store.incoming(fmt::format("{}", ++uploads_)); }, push_site()};
+            [this] { return quick_->store.incoming(fmt::format("{}", ++uploads_)); }, push_site(),
+            [this](const Caller& caller) {
+              const auto good = quick_->accounts.still_good(caller, now());
+              return good && *good;
+            }};
   }
 
   // Browsers cannot show a key when they open a WebSocket: they say what a login gave them.
@@ -105,7 +134,9 @@ class Daemon::Implementation {
               auto moment = octo_moment(*quick_);
               return moment ? std::optional(std::move(*moment)) : std::nullopt;
             },
-            [this](const HttpRequest& head) { return !rules_->check(head); },
+            [this](const HttpRequest& head) {
+              return !rules_->check(RouteAccess::kRead, head, quick_->accounts, now()).refusal;
+            },
             [this](std::string_view user, std::string_view session) {
               return user == kOctoPrintUser &&
                      equal_in_constant_time(session, quick_->push_session);
@@ -130,21 +161,45 @@ class Daemon::Implementation {
     return fail(ErrorCode::kPrinter, "no print is under way to which it applies");
   }
 
+  // On the loopback a key that is there counts, too, once there is an account.
   Result<void> make_rules() {
-    if (!server_->is_loopback()) {
-      auto key = load_or_make_key(options_.data / "api_key");
-      if (!key) return fail(key.error());
-      key_ = std::move(*key);
+    const auto file = options_.data / "api_key";
+    std::string key;
+    if (!server_->is_loopback() || std::filesystem::exists(file)) {
+      auto loaded = load_or_make_key(file);
+      if (!loaded) return fail(loaded.error());
+      key = std::move(*loaded);
     }
-    rules_.emplace(key_);
+    if (!server_->is_loopback()) key_ = key;
+    rules_.emplace(server_->is_loopback() ? Reach::kMachine : Reach::kNetwork, std::move(key));
     return {};
   }
 
-  Found admit(const HttpRequest& head) const {
+  Result<void> open_desk() {
+    const auto store = Store::open(options_.data);  // makes the tables
+    if (!store) return fail(store.error());
+    auto accounts = Accounts::open(options_.data);
+    if (!accounts) return fail(accounts.error());
+    if (const auto ok = forget_accounts_if_told(options_.data, *accounts); !ok) return ok;
+    const auto any = accounts->any();
+    if (!any) return fail(any.error());
+    if (*any || server_->is_loopback()) {
+      desk_.emplace(LoginDesk{{}});
+      return {};
+    }
+    auto code = SetupCode::load_or_make(options_.data / "setup_code");
+    if (!code) return fail(code.error());
+    desk_.emplace(LoginDesk{std::move(*code)});
+    return {};
+  }
+
+  Found admit(const HttpRequest& head) {
     Found found = find_route(head.method, head.target);
-    const bool open = found.route != nullptr && found.route->access == RouteAccess::kAnyone;
-    auto refusal = open ? rules_->check_site(head) : rules_->check(head);
-    if (refusal) return {nullptr, {}, std::move(*refusal)};
+    // Who may not look is not told what there is.
+    const auto needed = found.route == nullptr ? RouteAccess::kRead : found.route->access;
+    auto verdict = rules_->check(needed, head, quick_->accounts, now());
+    if (verdict.refusal) return {nullptr, {}, std::move(*verdict.refusal)};
+    found.caller = std::move(verdict.caller);
     return found;
   }
 
@@ -153,6 +208,7 @@ class Daemon::Implementation {
   const Options options_;
   std::string key_;
   std::optional<AccessRules> rules_;
+  std::optional<LoginDesk> desk_;
   StatusBoard board_;
   EventLog events_;
   std::unique_ptr<HttpServer> server_;
@@ -186,6 +242,10 @@ std::string Daemon::url() const {
 
 const std::string& Daemon::key() const {
   return implementation_->key();
+}
+
+std::string Daemon::setup_code() const {
+  return implementation_->setup_code();
 }
 
 void Daemon::run(const std::function<bool()>& goes_on) {

@@ -37,8 +37,10 @@ class Daemon {
 
   /// "http://127.0.0.1:5000".
   [[nodiscard]] std::string url() const;
-  /// What clients must show in `X-Api-Key`; empty if nothing.
+  /// An administrator's key, for `X-Api-Key`; empty on the loopback address.
   [[nodiscard]] const std::string& key() const;
+  /// What the first account is made with; empty if there is one, or none is needed.
+  [[nodiscard]] std::string setup_code() const;
 
   /// Answers requests until `goes_on`, asked ten times a second, says no.
   void run(const std::function<bool()>& goes_on);

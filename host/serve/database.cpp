@@ -1,7 +1,10 @@
 #include "host/serve/database.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <sqlite3.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "core/base/check.h"
 
@@ -42,6 +45,15 @@ SqlRow row(sqlite3_stmt* statement) {
   return SqlRow(std::move(values));
 }
 
+// Hashes of passwords are in it. SQLite gives its other files the rights of the first; those that
+// were made before have others. Where it fails, opening tells why. A file that is there is not
+// opened: closing it would end the locks that another connection of this program has.
+void keep_private(const std::filesystem::path& path) {
+  const int made = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  if (made >= 0) ::close(made);
+  for (const char* end : {"", "-wal", "-shm"}) ::chmod((path.string() + end).c_str(), 0600);
+}
+
 }  // namespace
 
 void Database::Close::operator()(sqlite3* handle) const {
@@ -49,6 +61,7 @@ void Database::Close::operator()(sqlite3* handle) const {
 }
 
 Result<Database> Database::open(const std::filesystem::path& path) {
+  keep_private(path);
   sqlite3* handle = nullptr;
   const int opened =
       sqlite3_open_v2(path.c_str(), &handle,

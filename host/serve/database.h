@@ -33,7 +33,7 @@ class SqlRow {
 };
 
 /// A connection to an SQLite file: write-ahead log, every commit on the disk before it returns,
-/// foreign keys checked. Errors are kUnavailable and name the file.
+/// foreign keys checked; for its owner only. Errors are kUnavailable and name the file.
 ///
 /// Threads: one; another thread opens its own.
 class Database {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "host/serve/caller.h"
 
 namespace slipstick {
 
@@ -49,6 +50,8 @@ struct HttpRequest {
   std::map<std::string, std::string> parameters;  ///< From the pattern of the route.
   std::string body;
   std::optional<HttpUpload> upload;
+  std::string peer;  ///< Where it comes from, as `http_peer` counts it.
+  Caller caller;     ///< Who asks: of `AccessRules`.
 
   /// The value, or an empty text.
   [[nodiscard]] const std::string& header(const std::string& name) const;

@@ -23,6 +23,8 @@ struct HttpSite {
   std::function<std::filesystem::path()> upload_path;
   /// What OctoPrint's push socket tells, and whom. On the server's thread.
   PushSite push = {};
+  /// Whether somebody who listens to events may go on.
+  std::function<bool(const Caller& caller)> still_admits;
 };
 
 /// Bounds of what a connection may ask for, of the time each part may take, and of how many there
@@ -42,6 +44,8 @@ struct HttpLimits {
   int connections_of_one = 32;  ///< Of one other machine; this one may have all.
   int streams = 64;             ///< Of events; they are among the connections.
   int slow_requests = 16;       ///< Under way, and waiting for the thread of slow routes.
+  int secret_requests = 4;      ///< The same of those that may have a password hashed.
+  std::chrono::milliseconds admission_lasts{5'000};  ///< Of who listens to events.
 };
 
 /// Speaks HTTP/1.1 on one address, on the thread that calls `run` and one more for slow routes.

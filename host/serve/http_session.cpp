@@ -73,6 +73,8 @@ void add_common_headers(Fields& fields) {
   fields.set("X-Content-Type-Options", "nosniff");
   fields.set("X-Frame-Options", "DENY");
   fields.set("Referrer-Policy", "no-referrer");
+  fields.set("Cross-Origin-Opener-Policy", "same-origin");
+  fields.set("Cross-Origin-Resource-Policy", "same-origin");
   fields.set(http::field::cache_control, "no-store");
 }
 
@@ -115,6 +117,7 @@ void HttpSession::read_head() {
 // New events, if this is a stream that is not writing yet.
 void HttpSession::flush() {
   if (writing_) return;
+  if (!still_admitted()) return end_stream();
   const EventLog::News news = server_.events->since(seen_);
   const auto now = std::chrono::steady_clock::now();
   std::string text = news.missed ? ": some events were missed\n\n" : "";
@@ -142,6 +145,7 @@ void HttpSession::on_head(ErrorValue error) {
   if (found.route == nullptr) return refuse(std::move(found.refusal));
   route_ = found.route;
   request_.parameters = std::move(found.parameters);
+  request_.caller = std::move(found.caller);
   follow_route();
 }
 
@@ -155,6 +159,8 @@ void HttpSession::take_head() {
   const auto& head = parser_->get();
   request_.method = method_of(head.method());
   head_only_ = head.method() == http::verb::head;
+  ErrorValue error;
+  request_.peer = http_peer(stream_.socket().remote_endpoint(error).address().to_string());
   for (const auto& field : head) {
     request_.headers.emplace(lower(field.name_string()), std::string(field.value()));
   }
@@ -234,22 +240,32 @@ void HttpSession::answer() {
     request_.upload = std::move(*upload);
   }
   keep_ = parser_->get().keep_alive();
-  if (route_->kind != RouteKind::kSlow) return send(server_.site.answer(*route_, request_));
+  const bool is_slow = route_->kind == RouteKind::kSlow || route_->kind == RouteKind::kSecret;
+  if (!is_slow) return send(server_.site.answer(*route_, request_));
   answer_slowly();
 }
 
+// Counted apart: passwords of strangers do not keep out layers.
+int& HttpSession::waiting_like_this() {
+  return route_->kind == RouteKind::kSecret ? server_.secret_requests : server_.slow_requests;
+}
+
 void HttpSession::answer_slowly() {
-  if (server_.slow_requests == server_.limits.slow_requests) {
-    return send(error_response(503, "too many layers are asked for; ask again later"));
+  const bool is_secret = route_->kind == RouteKind::kSecret;
+  if (waiting_like_this() ==
+      (is_secret ? server_.limits.secret_requests : server_.limits.slow_requests)) {
+    return send(error_response(503, is_secret
+                                        ? "too many log in at once; try again in a few seconds"
+                                        : "too many layers are asked for; ask again later"));
   }
-  ++server_.slow_requests;
+  ++waiting_like_this();
   server_.seats.does(seat_, HttpSeats::Doing::kService);
   stream_.expires_never();
   asio::post(server_.slow, [self = shared_from_this()] {
     auto response = self->server_.site.answer(*self->route_, self->request_);
     // The session is let go on the server's thread, whatever happens.
     asio::post(self->server_.io, [self, response = std::move(response)]() mutable {
-      --self->server_.slow_requests;
+      --self->waiting_like_this();
       self->send(std::move(response));
     });
   });
@@ -319,6 +335,7 @@ void HttpSession::begin_stream() {
   std::ostringstream text;
   text << head;
   server_.streams.insert(this);
+  admitted_ = std::chrono::steady_clock::now();
   server_.seats.does(seat_, HttpSeats::Doing::kService);
   write_stream(text.str() + response.body);
   watch_for_end();
@@ -370,6 +387,14 @@ void HttpSession::begin_push() {
       std::make_shared<PushSession>(server_, shared_from_this(), std::move(stream_), client);
   push_ = push;
   push->accept(parser_->get());
+}
+
+// Sessions end and keys are removed while somebody listens by them.
+bool HttpSession::still_admitted() {
+  const auto now = std::chrono::steady_clock::now();
+  if (now - admitted_ < server_.limits.admission_lasts) return true;
+  admitted_ = now;
+  return server_.site.still_admits(request_.caller);
 }
 
 void HttpSession::end_stream() {

@@ -43,6 +43,7 @@ struct HttpShared {
   std::set<HttpSession*> streams;
   std::set<PushSession*> pushes;
   int slow_requests = 0;
+  int secret_requests = 0;
   boost::asio::io_context io{1};
   boost::asio::thread_pool slow{1};
 };
@@ -78,6 +79,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   void on_body(ErrorValue error);
   void answer();
   void answer_slowly();
+  [[nodiscard]] int& waiting_like_this();
   void refuse(HttpResponse response);
   void send(HttpResponse response);
   void sent();
@@ -89,6 +91,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   void write_stream(std::string text);
   void watch_for_end();
   void end_stream();
+  [[nodiscard]] bool still_admitted();
 
   HttpShared& server_;
   const HttpSeats::Seat seat_;
@@ -111,6 +114,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   std::string outgoing_;
   std::chrono::steady_clock::time_point written_{};
   std::weak_ptr<PushSession> push_;  // what this connection became
+  std::chrono::steady_clock::time_point admitted_{};
 };
 
 }  // namespace slipstick

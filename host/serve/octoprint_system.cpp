@@ -9,6 +9,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+std::string name_of(const Caller& caller) {
+  return caller.name.empty() ? kOctoPrintUser : caller.name;
+}
+
+Json groups_of(const Caller& caller) {
+  return caller.scope == Scope::kAdmin ? Json{"admins", "users"} : Json::array({"users"});
+}
+
 }  // namespace
 
 // Slicers want the text to begin with "OctoPrint"; the capability is for those that look for a
@@ -25,21 +33,23 @@ HttpResponse octo_server(const HttpRequest&, Services&) {
   return json_response({{"version", kOctoPrintRelease}, {"safemode", nullptr}});
 }
 
-HttpResponse octo_login(const HttpRequest&, Services& services) {
+// The name is the one that goes with the session, whoever asks.
+HttpResponse octo_login(const HttpRequest& request, Services& services) {
   return json_response({{"name", kOctoPrintUser},
                         {"active", true},
-                        {"admin", true},
+                        {"admin", request.caller.scope == Scope::kAdmin},
                         {"user", true},
                         {"apikey", nullptr},
                         {"session", services.push_session},
-                        {"groups", {"admins", "users"}},
+                        {"groups", groups_of(request.caller)},
                         {"permissions", Json::array()},
                         {"needs", Json::object()}});
 }
 
-HttpResponse octo_user(const HttpRequest&, Services&) {
-  return json_response(
-      {{"name", kOctoPrintUser}, {"groups", {"admins", "users"}}, {"permissions", Json::array()}});
+HttpResponse octo_user(const HttpRequest& request, Services&) {
+  return json_response({{"name", name_of(request.caller)},
+                        {"groups", groups_of(request.caller)},
+                        {"permissions", Json::array()}});
 }
 
 HttpResponse octo_settings(const HttpRequest&, Services&) {

@@ -4,10 +4,13 @@
 #include <span>
 #include <string_view>
 
+#include "host/serve/access.h"
+#include "host/serve/accounts.h"
 #include "host/serve/camera_url.h"
 #include "host/serve/event_log.h"
 #include "host/serve/http.h"
 #include "host/serve/layer_preview.h"
+#include "host/serve/login_desk.h"
 #include "host/serve/printer_worker.h"
 #include "host/serve/store.h"
 
@@ -18,15 +21,17 @@ namespace slipstick {
 /// not know sockets.
 
 /// What handlers work with. Quick and slow routes run on different threads, each of which has its
-/// own store and preview; the rest they share.
+/// own store, accounts and preview; the rest they share.
 struct Services {
   Store store;
+  Accounts accounts;
   LayerPreview preview;
   JobDefaults defaults;
   std::string port;  ///< Of the printer.
   PrinterWorker& printer;
   const StatusBoard& board;
   EventLog& events;
+  LoginDesk& desk;
   std::chrono::steady_clock::time_point began;  ///< Of the daemon.
   std::optional<CameraUrl> camera = {};
   std::string push_session = "none";            ///< What a login gives for the push socket.
@@ -41,22 +46,18 @@ enum class RouteBody : std::uint8_t {
 enum class RouteKind : std::uint8_t {
   kQuick,   ///< Answered at once.
   kSlow,    ///< On a thread of its own, one at a time.
+  kSecret,  ///< Likewise; a password may be hashed, and only a few wait.
   kEvents,  ///< Becomes a stream of events.
   kPush,    ///< Becomes OctoPrint's push socket, if it is a WebSocket.
-};
-
-enum class RouteAccess : std::uint8_t {
-  kKey,     ///< Whoever shows the key, where one is needed.
-  kAnyone,  ///< The page: it is the same for all, and asks for the key.
 };
 
 struct Route {
   HttpMethod method;
   std::string_view pattern;  ///< "/api/v1/jobs/{id}"; a last `{path}` is all that follows.
+  RouteAccess access;
   HttpResponse (*handle)(const HttpRequest&, Services&);
   RouteBody body = RouteBody::kText;
   RouteKind kind = RouteKind::kQuick;
-  RouteAccess access = RouteAccess::kKey;
 };
 
 /// All of them.
@@ -68,6 +69,7 @@ struct Found {
   const Route* route = nullptr;
   std::map<std::string, std::string> parameters = {};
   HttpResponse refusal = {};
+  Caller caller = {};
 };
 [[nodiscard]] Found find_route(HttpMethod method, const HttpTarget& target);
 

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Version n of the schema is what the first n make. Never changed, only added to.
-constexpr std::array<std::string_view, 5> kMigrations{
+constexpr std::array<std::string_view, 8> kMigrations{
     "CREATE TABLE files (id INTEGER PRIMARY KEY AUTOINCREMENT, name TEXT NOT NULL, "
     "extension TEXT NOT NULL, size INTEGER NOT NULL, created INTEGER NOT NULL, "
     "current INTEGER NOT NULL DEFAULT 1) STRICT",
@@ -33,7 +33,18 @@ constexpr std::array<std::string_view, 5> kMigrations{
     "result TEXT NOT NULL DEFAULT '') STRICT",
     "CREATE TABLE printer (id INTEGER PRIMARY KEY CHECK (id = 1), "
     "bed_occupied INTEGER NOT NULL, selected TEXT NOT NULL) STRICT",
-    "ALTER TABLE jobs ADD COLUMN changes TEXT NOT NULL DEFAULT ''"};
+    "ALTER TABLE jobs ADD COLUMN changes TEXT NOT NULL DEFAULT ''",
+    // Of accounts.h.
+    "CREATE TABLE users (id INTEGER PRIMARY KEY AUTOINCREMENT, "
+    "name TEXT NOT NULL UNIQUE COLLATE NOCASE, password TEXT NOT NULL, "
+    "created INTEGER NOT NULL) STRICT",
+    "CREATE TABLE sessions (id INTEGER PRIMARY KEY AUTOINCREMENT, hash TEXT NOT NULL UNIQUE, "
+    "user INTEGER NOT NULL REFERENCES users (id) ON DELETE CASCADE, created INTEGER NOT NULL, "
+    "seen INTEGER NOT NULL) STRICT",
+    "CREATE TABLE keys (id INTEGER PRIMARY KEY AUTOINCREMENT, hash TEXT NOT NULL UNIQUE, "
+    "user INTEGER NOT NULL REFERENCES users (id) ON DELETE CASCADE, name TEXT NOT NULL, "
+    "scope TEXT NOT NULL CHECK (scope IN ('read', 'print', 'control', 'admin')), "
+    "created INTEGER NOT NULL, used INTEGER NOT NULL DEFAULT 0) STRICT"};
 
 // Whose bytes are wanted: what is to be printed, and what was cut off and still lies on the bed.
 const std::string kWanted =

@@ -1,21 +1,10 @@
 // Requests to the daemon this page came from, and its stream of events.
 
-const KEY = 'slipstick-key';
-
 export class Refused extends Error {
   constructor(status, message) {
     super(message);
     this.status = status;
   }
-}
-
-export function useKey(key) {
-  localStorage.setItem(KEY, key);
-}
-
-function headers() {
-  const key = localStorage.getItem(KEY);
-  return key ? {'X-Api-Key': key} : {};
 }
 
 async function checked(response) {
@@ -29,12 +18,12 @@ async function checked(response) {
 
 // What is answered, or null if there is no body.
 export async function ask(method, path, body) {
-  const response = await checked(await fetch('/api/v1/' + path, {method, body, headers: headers()}));
+  const response = await checked(await fetch('/api/v1/' + path, {method, body}));
   return response.status === 204 ? null : response.json();
 }
 
 export async function askBlob(path) {
-  return (await checked(await fetch('/api/v1/' + path, {headers: headers()}))).blob();
+  return (await checked(await fetch('/api/v1/' + path))).blob();
 }
 
 // Stores a file under its name; `told(share)` as it goes out, which `fetch` does not tell.
@@ -42,7 +31,6 @@ export function send(file, told) {
   return new Promise((resolve, reject) => {
     const request = new XMLHttpRequest();
     request.open('PUT', '/api/v1/files/' + encodeURIComponent(file.name));
-    for (const [name, value] of Object.entries(headers())) request.setRequestHeader(name, value);
     request.responseType = 'json';
     request.upload.addEventListener('progress', ({loaded, total}) => total && told(loaded / total));
     request.addEventListener('error', () => reject(new Error(`${file.name}: the daemon cannot be reached`)));
@@ -60,7 +48,7 @@ export function specQuery(spec) {
 
 // Calls `on(type, data)` for each event until the stream ends.
 export async function listen(on) {
-  const response = await checked(await fetch('/api/v1/events', {headers: headers()}));
+  const response = await checked(await fetch('/api/v1/events'));
   const reader = response.body.pipeThrough(new TextDecoderStream()).getReader();
   let text = '';
   for (;;) {

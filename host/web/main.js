@@ -1,5 +1,6 @@
 // The page: what the daemon tells is shown, what is pressed is asked of it. Each part is a module.
-import {Refused, listen, useKey} from '/assets/api.js';
+import * as account from '/assets/account.js';
+import {Refused, listen} from '/assets/api.js';
 import * as camera from '/assets/camera.js';
 import * as changes from '/assets/changes.js';
 import '/assets/control.js';
@@ -7,7 +8,7 @@ import * as dashboard from '/assets/dashboard.js';
 import * as files from '/assets/files.js';
 import * as heat from '/assets/heat.js';
 import * as jobs from '/assets/jobs.js';
-import {$, attempt, quietly, report} from '/assets/page.js';
+import {attempt, quietly, report} from '/assets/page.js';
 import * as terminal from '/assets/terminal.js';
 
 const RETRY_MS = 3000;
@@ -54,10 +55,6 @@ async function follow() {
   }
 }
 
-$('key-form').addEventListener('submit', (event) => {
-  event.preventDefault();
-  useKey($('key').value);
-  location.reload();
-});
 changes.start(attempt);
+account.start(report);
 follow();

@@ -1,5 +1,6 @@
 // What all parts of the page need: its elements, what went wrong, times as text. Texts from printers
 // and files only ever become text, never markup.
+import {logIn} from '/assets/account.js';
 import {Refused, ask} from '/assets/api.js';
 
 export const $ = (id) => document.getElementById(id);
@@ -7,7 +8,7 @@ export const $ = (id) => document.getElementById(id);
 export function report(error) {
   $('fault-text').textContent = error ? error.message : '';
   $('fault').hidden = !error;
-  if (error instanceof Refused && error.status === 403) $('ask-key').hidden = false;
+  if (error instanceof Refused && error.status === 401) logIn();
 }
 
 // Does it, and says what went wrong; what went wrong before stands until somebody does something.

@@ -37,7 +37,8 @@ class Site {
               return HttpResponse{200, "application/json", "{}\n", {}};
             },
             [this] { return folder_.path() / std::to_string(++uploads_); },
-            {[] { return OctoMoment{}; }, [](const HttpRequest&) { return true; }, {}}};
+            {[] { return OctoMoment{}; }, [](const HttpRequest&) { return true; }, {}},
+            [](const Caller&) { return true; }};
   }
 
   test::TemporaryFolder folder_;

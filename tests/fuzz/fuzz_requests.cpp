@@ -19,7 +19,17 @@ struct Site {
   EventLog events{[] {}};
   std::unique_ptr<PrinterWorker> worker =
       *PrinterWorker::start({folder.path(), "sim:", {}}, board, events);
-  Services services{*Store::open(folder.path()), {}, {}, "sim:", *worker, board, events, {}};
+  LoginDesk desk{{}};
+  Services services{*Store::open(folder.path()),
+                    *Accounts::open(folder.path()),
+                    {},
+                    {},
+                    "sim:",
+                    *worker,
+                    board,
+                    events,
+                    desk,
+                    {}};
 };
 
 HttpMethod method_of(std::string_view word) {

@@ -128,7 +128,7 @@ TEST_CASE("In a print the metrics are those of the API") {
 TEST_CASE("Metrics are for whoever shows the key") {
   const test::RunningDaemon daemon("sim:", "0.0.0.0:0");
 
-  CHECK(daemon.get("/metrics").status == 403);
+  CHECK(daemon.get("/metrics").status == 401);
   CHECK(test::request(daemon.port(), "GET", "/metrics", "",
                       "Authorization: Bearer " + daemon.key() + "\r\n")
             .status == 200);

@@ -1,4 +1,5 @@
 // docs/openapi.json describes the routes there are, all of them and no others.
+#include <array>
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -57,6 +58,19 @@ TEST_CASE("The API's document describes every route, and no other") {
   }
 
   CHECK(described == there);
+}
+
+TEST_CASE("Every operation says which scope it needs, and the right one") {
+  constexpr std::array<const char*, 6> kNames{"anyone",  "read",  "print",
+                                              "control", "admin", "account"};
+  const json paths = document()["paths"];
+  for (const Route& route : routes()) {
+    const std::string pattern(route.pattern);
+    if (!paths.contains(pattern)) continue;
+    INFO(pattern);
+    CHECK(paths[pattern][name_of(route.method)].value("x-scope", "") ==
+          kNames.at(static_cast<std::size_t>(route.access)));
+  }
 }
 
 TEST_CASE("Every operation says what it does, what it answers, and which parameters it has") {

@@ -1,9 +1,8 @@
-// The daemon's values: addresses, names, jobs, access, events; without sockets.
+// The daemon's values: addresses, names, jobs, events; without sockets.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include "host/load_model.h"
-#include "host/serve/access.h"
 #include "host/serve/event_log.h"
 #include "host/serve/file_names.h"
 #include "host/serve/http.h"
@@ -14,12 +13,6 @@ using namespace slipstick;
 using Catch::Contains;
 
 namespace {
-
-HttpRequest with(std::map<std::string, std::string> headers) {
-  HttpRequest request;
-  request.headers = std::move(headers);
-  return request;
-}
 
 std::string refusal_of(std::string_view name) {
   const auto made = FileName::from(name);
@@ -125,37 +118,6 @@ TEST_CASE("No job reads a file by its path") {
       CHECK_THAT(fault_of(json.dump()), Contains("not a path"));
     }
   }
-}
-
-TEST_CASE("Without a key only this machine's own names are answered, and no other site's pages") {
-  const AccessRules rules("");
-
-  for (const char* host : {"localhost", "localhost:5000", "127.0.0.1:5000", "[::1]:5000"}) {
-    INFO(host);
-    CHECK(!rules.check(with({{"host", host}})));
-  }
-  CHECK(!rules.check(with({{"host", "localhost:5000"}, {"origin", "http://localhost:5000"}})));
-  CHECK(rules.check(with({})));
-  CHECK(rules.check(with({{"host", "evil.example:5000"}})));  // a name made to point here
-  CHECK(rules.check(with({{"host", "127.0.0.1.evil.example"}})));
-  CHECK(rules.check(with({{"host", "localhost:5000"}, {"origin", "http://evil.example"}})));
-  CHECK(rules.check(with({{"host", "localhost:5000"}, {"origin", "null"}})));
-}
-
-TEST_CASE("With a key nobody is answered who does not show it") {
-  const AccessRules rules("0123456789abcdef");
-  const std::string host = "printer.lan:5000";
-
-  CHECK(!rules.check(with({{"host", host}, {"x-api-key", "0123456789abcdef"}})));
-  CHECK(!rules.check(with({{"host", host}, {"authorization", "Bearer 0123456789abcdef"}})));
-  for (const char* wrong : {"", "0123456789abcdeF", "0123456789abcde", "0123456789abcdef0"}) {
-    INFO(wrong);
-    const auto refused = rules.check(with({{"host", host}, {"x-api-key", wrong}}));
-    REQUIRE(refused);
-    CHECK(refused->status == 403);
-  }
-  // Nothing a client says about where it comes from replaces the key.
-  CHECK(rules.check(with({{"host", "localhost"}, {"x-forwarded-for", "127.0.0.1"}})));
 }
 
 TEST_CASE("A slow listener misses events, is told so, and holds nothing up") {
