@@ -98,7 +98,7 @@ TEST_CASE("CVE-2025-64187, CVE-2024-49377, CVE-2022-1430: no text can become mar
 
 TEST_CASE("CVE-2024-49377: nothing in an address comes back as anything but quoted text") {
   test::GuardedDaemon daemon;
-  const std::string script = "%3Cscript%3Ealert(1)%3C/script%3E";
+  const std::string script = "%3Cscript%3Ealert(1)%3C%2Fscript%3E";
 
   for (const std::string& target :
        {"/login?redirect=" + script, "/setup?" + script, "/?user=" + script}) {
@@ -200,6 +200,8 @@ TEST_CASE("CVE-2023-41047: a script that is uploaded describes a solid, and reac
   const std::string key = test::by_key(daemon.key());
   const auto mark = daemon.data() / "mark";
   const std::string end = "\nreturn sphere(10)\n";
+  REQUIRE(daemon.ask("PUT", "/api/v1/files/a.lua", key, end).status == 201);
+  CHECK(daemon.ask("GET", "/api/v1/files/a.lua/layers", key).status == 200);
 
   for (const std::string& script :
        {"os.execute('touch " + mark.string() + "')" + end,
