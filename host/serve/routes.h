@@ -34,7 +34,7 @@ struct Services {
   LoginDesk& desk;
   std::chrono::steady_clock::time_point began;  ///< Of the daemon.
   std::optional<CameraUrl> camera = {};
-  std::string push_session = "none";            ///< What a login gives for the push socket.
+  std::string push_session = "none";  ///< What a login gives for the push socket.
 };
 
 enum class RouteBody : std::uint8_t {
