@@ -53,7 +53,7 @@ function wanted() {
 
 // Puts the form into the page. `attempt` does things and shows what went wrong.
 export function start(attempt) {
-  form.append(...FIELDS.flatMap(fieldOf), element('button', {textContent: 'Change the layers to come'}));
+  form.append(...FIELDS.flatMap(fieldOf), element('button', {textContent: 'Change from the next layer on'}));
   told.setAttribute('role', 'status');
   form.addEventListener('submit', (event) => {
     event.preventDefault();
@@ -62,8 +62,9 @@ export function start(attempt) {
       form.reset();
     });
   });
-  document.getElementById('changes').append(
-    element('h3', {id: 'changes-title', textContent: 'Change the layers to come'}), form, told);
+  const folded = document.createElement('details');
+  folded.append(element('summary', {id: 'changes-title', textContent: 'Change the layers to come'}), form);
+  document.getElementById('changes').append(folded, told);
 }
 
 // `printed` is the job under way, or null. G-code has no layers that could change.
