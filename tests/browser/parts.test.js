@@ -185,8 +185,8 @@ test('The camera is shown from where the daemon was told it is, and a dead one s
   const camera = `http://127.0.0.1:${server.address().port}/picture`;
   const workshop = await Workshop.open({serve: ['--camera', camera]});
   try {
-    await inBrowser(workshop.url, {}, async (page, watch) => {
-      watch.foresee(/127\.0\.0\.1:\d+\/picture|picture 500|status of 500/);
+    const foreseen = [/127\.0\.0\.1:\d+\/picture|picture 500|status of 500/];
+    await inBrowser(workshop.url, {foreseen}, async (page) => {
       await page.until(() => document.querySelector('#camera-picture').naturalWidth === 64);
 
       works = false;

@@ -25,14 +25,15 @@ async function serveFrom(folder, context) {
   });
 }
 
-// Opens a window of a browser on `url` and calls `act(page, watch)`.
-export async function inBrowser(url, look, act) {
+// Opens a window of a browser on `url` and calls `act(page, watch)`. `foreseen`: what the page meets as it opens.
+export async function inBrowser(url, {foreseen = [], ...look}, act) {
   const browser = await chromium.launch({executablePath: CHROMIUM, args: ['--disable-gpu']});
   try {
     const context = await browser.newContext({...DESKTOP, ...look});
     context.setDefaultTimeout(PATIENCE_MS);
     if (WEB) await serveFrom(WEB, context);
     const watch = new Watch(context, url);
+    for (const pattern of foreseen) watch.foresee(pattern);
     const page = await PrinterPage.open(await context.newPage(), url);
     await act(page, watch);
     watch.end();
