@@ -121,10 +121,16 @@ TEST_CASE("Where a key is needed nothing flows before a valid session is shown")
                         key_of(daemon))
               .status == 201);
   CHECK(!wait_for(owner, "FileAdded").is_null());
+  REQUIRE(test::request(daemon.port(), "POST", "/api/files/local/secret.lua",
+                        R"({"command": "select"})", key_of(daemon))
+              .status == 204);
 
   stranger.say(auth_of(daemon));
 
-  CHECK(next_kind(stranger) == "history");  // and no event of before
+  // The first that it hears is how things are now, and no event of before.
+  const auto first = stranger.text();
+  REQUIRE(first);
+  CHECK(json::parse(*first)["history"]["job"]["file"]["name"] == "secret.lua");
   CHECK(test::request(daemon.port(), "POST", "/api/login", R"({"passive": true})").status == 403);
 }
 
