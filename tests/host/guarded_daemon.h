@@ -39,7 +39,7 @@ inline std::string session_in(const HttpReply& reply) {
 class GuardedDaemon : public RunningDaemon {
  public:
   explicit GuardedDaemon(const HttpLimits& limits = {})
-      : RunningDaemon("sim:", "0.0.0.0:0", limits), accounts_(accounts_in(data())) {
+      : RunningDaemon("sim:", kNeedsKey, limits), accounts_(accounts_in(data())) {
     static const std::string kHash = *password_hash(kPassword);  // takes long
     const auto ada = accounts_.add_first(*AccountName::from(kAda), kHash, seconds_now());
     REQUIRE(ada);

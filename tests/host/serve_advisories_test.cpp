@@ -283,7 +283,7 @@ TEST_CASE("Pages of other sites post nothing by the cookie of who is logged in")
 TEST_CASE(
     "A daemon that the network can reach is closed from the start, without a password that all "
     "know") {
-  const test::RunningDaemon daemon("sim:", "0.0.0.0:0");
+  const test::RunningDaemon daemon("sim:", test::kNeedsKey);
 
   for (const Route& route : routes()) {
     if (route.access == RouteAccess::kAnyone || route.method != HttpMethod::kGet) continue;

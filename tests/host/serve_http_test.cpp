@@ -181,7 +181,7 @@ TEST_CASE("The page and all it is made of are there, and may load nothing from e
 }
 
 TEST_CASE("Off this machine a key is needed, for everything") {
-  const test::RunningDaemon daemon("sim:", "0.0.0.0:0");
+  const test::RunningDaemon daemon("sim:", test::kNeedsKey);
   REQUIRE(daemon.key().size() == 64);
   const std::string shown = "X-Api-Key: " + daemon.key() + "\r\n";
 

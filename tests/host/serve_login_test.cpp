@@ -29,7 +29,7 @@ std::string key_body(const std::string& scope, const std::string& password = tes
 
 TEST_CASE(
     "Off this machine nothing but the page and the set-up answers before there is an account") {
-  const test::RunningDaemon daemon("sim:", "0.0.0.0:0");
+  const test::RunningDaemon daemon("sim:", test::kNeedsKey);
 
   for (const char* target : {"/", "/login", "/setup", "/assets/setup.js", "/api/v1/session"}) {
     INFO(target);
@@ -47,7 +47,7 @@ TEST_CASE(
 }
 
 TEST_CASE("Who has the code makes the first account, once, and is logged in") {
-  test::RunningDaemon daemon("sim:", "0.0.0.0:0");
+  test::RunningDaemon daemon("sim:", test::kNeedsKey);
   std::string code;
   std::ifstream(daemon.data() / "setup_code") >> code;
   REQUIRE(code.size() == 14);
@@ -69,7 +69,7 @@ TEST_CASE("Who has the code makes the first account, once, and is logged in") {
 }
 
 TEST_CASE("Guesses of the code are slowed down") {
-  const test::RunningDaemon daemon("sim:", "0.0.0.0:0");
+  const test::RunningDaemon daemon("sim:", test::kNeedsKey);
 
   const auto guess = [&](int) {
     return daemon.post("/api/v1/setup", setup_body("ABCD-EFGH-JKLM"));
@@ -102,7 +102,7 @@ TEST_CASE("A forgotten password: the owner of the folder has the accounts forgot
   std::ofstream(folder.path() / "forget_accounts") << "";
   Daemon::Options options;
   options.data = folder.path();
-  options.listen = "0.0.0.0:0";
+  options.listen = test::kNeedsKey;
   options.port = "sim:";
 
   const auto daemon = Daemon::start(options);

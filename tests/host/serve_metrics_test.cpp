@@ -126,7 +126,7 @@ TEST_CASE("In a print the metrics are those of the API") {
 }
 
 TEST_CASE("Metrics are for whoever shows the key") {
-  const test::RunningDaemon daemon("sim:", "0.0.0.0:0");
+  const test::RunningDaemon daemon("sim:", test::kNeedsKey);
 
   CHECK(daemon.get("/metrics").status == 401);
   CHECK(test::request(daemon.port(), "GET", "/metrics", "",
