@@ -390,11 +390,19 @@ void HttpSession::begin_push() {
 }
 
 // Sessions end and keys are removed while somebody listens by them.
-bool HttpSession::still_admitted() {
+bool HttpSession::is_to_be_asked_again() {
   const auto now = std::chrono::steady_clock::now();
-  if (now - admitted_ < server_.limits.admission_lasts) return true;
+  if (now - admitted_ < server_.limits.admission_lasts) return false;
   admitted_ = now;
-  return server_.site.still_admits(request_.caller);
+  return true;
+}
+
+bool HttpSession::still_admitted() {
+  return !is_to_be_asked_again() || server_.site.still_admits(request_.caller);
+}
+
+bool HttpSession::still_admitted_to_push() {
+  return !is_to_be_asked_again() || server_.hub->admits(request_);
 }
 
 void HttpSession::end_stream() {

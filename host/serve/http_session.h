@@ -65,6 +65,8 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   void cut_off();
   /// It does not give way to others any more.
   void serve() { server_.seats.does(seat_, HttpSeats::Doing::kService); }
+  /// Whether who opened a push socket by this request may still listen.
+  [[nodiscard]] bool still_admitted_to_push();
 
  private:
   using ErrorValue = boost::system::error_code;
@@ -91,6 +93,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   void write_stream(std::string text);
   void watch_for_end();
   void end_stream();
+  [[nodiscard]] bool is_to_be_asked_again();
   [[nodiscard]] bool still_admitted();
 
   HttpShared& server_;

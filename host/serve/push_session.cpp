@@ -34,6 +34,7 @@ PushSession::PushSession(HttpShared& server, std::shared_ptr<HttpSession> keeper
       keeper_(std::move(keeper)),
       stream_(std::move(stream)),
       client_(client),
+      by_request_(client.admitted()),
       began_(now()) {
   server_.pushes.insert(this);
 }
@@ -94,6 +95,7 @@ void PushSession::become_listener() {
 void PushSession::flush() {
   const Time time = now();
   if (waited_too_long(time)) return cut_off();
+  if (by_request_ && !keeper_->still_admitted_to_push()) return cut_off();
   if (!open_ || goodbye_ || writing_) return;
   if (!client_.admitted() && time - began_ > server_.limits.head_patience) {
     return say_goodbye(websocket::close_code::policy_error, "no auth message came");

@@ -52,6 +52,7 @@ class PushSession : public std::enable_shared_from_this<PushSession> {
   const std::shared_ptr<HttpSession> keeper_;
   boost::beast::websocket::stream<boost::beast::tcp_stream, false> stream_;  // not compressed
   PushClient client_;
+  const bool by_request_;  ///< Admitted by what its request showed, not by an `auth` message.
   boost::beast::flat_buffer incoming_{kMessageMax};
   std::string outgoing_;
   bool open_ = false;

@@ -23,7 +23,10 @@ Form parsed(std::string_view body, std::size_t piece) {
   MultipartParser parser("b", {[&](const std::string& name, const std::string& value) {
                                  form.text += "field " + name + "=" + value + ";";
                                },
-                               [&](const std::string& name) { form.text += "file " + name + ";"; },
+                               [&](const std::string& name) -> Result<void> {
+                                 form.text += "file " + name + ";";
+                                 return {};
+                               },
                                [&](std::string_view bytes) -> Result<void> {
                                  form.text += bytes;
                                  return {};

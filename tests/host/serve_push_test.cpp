@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "host/serve/push_client.h"
+#include "tests/host/guarded_daemon.h"
 #include "tests/host/serve_fixture.h"
 #include "tests/support/web_socket.h"
 
@@ -132,6 +133,21 @@ TEST_CASE("Where a key is needed nothing flows before a valid session is shown")
   REQUIRE(first);
   CHECK(json::parse(*first)["history"]["job"]["file"]["name"] == "secret.lua");
   CHECK(test::request(daemon.port(), "POST", "/api/login", R"({"passive": true})").status == 403);
+}
+
+TEST_CASE("A socket ends with the key that opened it") {
+  HttpLimits limits;
+  limits.admission_lasts = 50ms;
+  test::GuardedDaemon daemon(limits);
+  WebSocketClient app(daemon.port(), kRaw, test::by_key(daemon.new_key(Scope::kRead)));
+  CHECK(next_kind(app) == "connected");
+  const auto before = std::chrono::steady_clock::now();
+
+  REQUIRE(*daemon.accounts().remove_key(1));
+
+  while (app.text()) {
+  }
+  CHECK(std::chrono::steady_clock::now() - before < 30s);  // the client itself gives up after 60
 }
 
 TEST_CASE("Who shows no session in time is sent away") {

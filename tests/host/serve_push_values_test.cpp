@@ -113,12 +113,15 @@ TEST_CASE("A print is told from its beginning to its end") {
 
   told.reporter().job_began(7, "a.gcode");
   CHECK(told.names() == Names{"Connected", "PrinterStateChanged", "PrintStarted"});
-  told.reporter().layer_began(1, 0.2);
+  PrintedLayer layer;
+  layer.layer = 1;
+  layer.height = 0.2;
+  told.reporter().layer_began(layer);
   told.reporter().turn(Wish::kPause, {});
   CHECK(told.names() == Names{"PrinterStateChanged", "PrintPaused", "ZChange"});
   told.reporter().turn(Wish::kRun, {});
   CHECK(told.names() == Names{"PrinterStateChanged", "PrintResumed"});
-  told.reporter().job_came_to(7, "done");
+  told.reporter().job_came_to(7, "done", "");
   told.reporter().job_ended(PrinterActivity::kIdle, "");
   told.reporter().bed(true);
 
@@ -137,7 +140,7 @@ TEST_CASE("A cancelled print, a failed one and an emergency stop are told apart"
 
   SECTION("cancelled") {
     told.reporter().turn(Wish::kCancel, {});
-    told.reporter().job_came_to(7, "cancelled");
+    told.reporter().job_came_to(7, "cancelled", "");
     told.reporter().job_ended(PrinterActivity::kIdle, "cancelled at line 3");
     told.reporter().bed(true);
 
@@ -150,7 +153,7 @@ TEST_CASE("A cancelled print, a failed one and an emergency stop are told apart"
     CHECK(events[4].name == "PrinterStateChanged");
   }
   SECTION("failed") {
-    told.reporter().job_came_to(7, "failed");
+    told.reporter().job_came_to(7, "failed", "");
     told.reporter().job_ended(PrinterActivity::kStopped, "it fell silent");
 
     const auto events = told.events();
