@@ -9,8 +9,6 @@
 #include <boost/beast/core/string.hpp>
 #include <boost/beast/http/read.hpp>
 #include <boost/beast/http/write.hpp>
-#include <boost/beast/websocket/rfc6455.hpp>
-#include <sstream>
 #include <utility>
 
 #include "host/serve/file_names.h"
@@ -26,7 +24,6 @@ using tcp = asio::ip::tcp;
 
 constexpr std::chrono::seconds kLingerPatience{5};
 constexpr int kLingerReads = 64;
-constexpr std::chrono::seconds kHeartbeat{15};
 
 HttpMethod method_of(http::verb verb) {
   switch (verb) {
@@ -63,26 +60,19 @@ Result<FileName> name_in_address(const HttpRequest& request) {
                                      : last_segment(path));
 }
 
-std::string event_text(const EventLog::Event& event) {
-  return fmt::format("id: {}\nevent: {}\ndata: {}\n\n", event.number, event.type, event.data);
-}
-
-// What every response carries: nothing here is to be guessed at, framed or kept.
-template <typename Fields>
-void add_common_headers(Fields& fields) {
-  fields.set("X-Content-Type-Options", "nosniff");
-  fields.set("X-Frame-Options", "DENY");
-  fields.set("Referrer-Policy", "no-referrer");
-  fields.set("Cross-Origin-Opener-Policy", "same-origin");
-  fields.set("Cross-Origin-Resource-Policy", "same-origin");
-  fields.set(http::field::cache_control, "no-store");
-}
-
 }  // namespace
 
 int HttpShared::listeners() const {
   return static_cast<int>(streams.size()) +
          static_cast<int>(std::ranges::count_if(pushes, &PushSession::listens));
+}
+
+// Nothing here is to be guessed at, framed or kept.
+void add_common_headers(http::fields& fields) {
+  fields.set("X-Content-Type-Options", "nosniff");
+  fields.set("X-Frame-Options", "DENY");
+  fields.set("Referrer-Policy", "no-referrer");
+  fields.set(http::field::cache_control, "no-store");
 }
 
 HttpSession::HttpSession(HttpShared& server, tcp::socket socket, HttpSeats::Seat seat)
@@ -112,19 +102,6 @@ void HttpSession::read_head() {
   http::async_read_header(
       stream_, buffer_, *parser_,
       [self = shared_from_this()](ErrorValue error, std::size_t) { self->on_head(error); });
-}
-
-// New events, if this is a stream that is not writing yet.
-void HttpSession::flush() {
-  if (writing_) return;
-  if (!still_admitted()) return end_stream();
-  const EventLog::News news = server_.events->since(seen_);
-  const auto now = std::chrono::steady_clock::now();
-  std::string text = news.missed ? ": some events were missed\n\n" : "";
-  for (const EventLog::Event& event : news.events) text += event_text(event);
-  if (!news.events.empty()) seen_ = news.events.back().number;
-  if (text.empty() && now - written_ > kHeartbeat) text = ": still here\n\n";
-  if (!text.empty()) write_stream(std::move(text));
 }
 
 void HttpSession::on_head(ErrorValue error) {
@@ -318,96 +295,6 @@ void HttpSession::linger(int reads) {
 void HttpSession::close() {
   ErrorValue ignored;
   stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
-}
-
-void HttpSession::begin_stream() {
-  if (server_.listeners() >= server_.limits.streams) {
-    return refuse(error_response(503, "too many listen to events already"));
-  }
-  seen_ = server_.events->last();
-  HttpResponse response = server_.site.answer(*route_, request_);
-  http::response_header<> head;
-  head.version(11);
-  head.result(response.status);
-  head.set(http::field::content_type, response.type);
-  head.set(http::field::connection, "close");
-  add_common_headers(head);
-  std::ostringstream text;
-  text << head;
-  server_.streams.insert(this);
-  admitted_ = std::chrono::steady_clock::now();
-  server_.seats.does(seat_, HttpSeats::Doing::kService);
-  write_stream(text.str() + response.body);
-  watch_for_end();
-}
-
-void HttpSession::write_stream(std::string text) {
-  writing_ = true;
-  outgoing_ = std::move(text);
-  written_ = std::chrono::steady_clock::now();
-  stream_.expires_after(server_.limits.write_patience);
-  asio::async_write(stream_, asio::buffer(outgoing_),
-                    [self = shared_from_this()](ErrorValue error, std::size_t) {
-                      self->writing_ = false;
-                      if (error) return self->end_stream();
-                      self->flush();
-                    });
-}
-
-// Nothing more is expected from the client; its end is.
-void HttpSession::watch_for_end() {
-  stream_.expires_never();
-  stream_.async_read_some(asio::buffer(chunk_),
-                          [self = shared_from_this()](ErrorValue error, std::size_t) {
-                            if (error) return self->end_stream();
-                            self->watch_for_end();
-                          });
-}
-
-bool HttpSession::is_upgrade() const {
-  return beast::websocket::is_upgrade(parser_->get());
-}
-
-// From now on this only keeps the seat.
-void HttpSession::begin_push() {
-  if (!parser_->is_done() || buffer_.size() != 0) {
-    return refuse(error_response(400, "a request for a WebSocket is followed by its answer"));
-  }
-  if (auto fault = websocket_fault(request_)) return refuse(std::move(*fault));
-  const bool granted = server_.hub->admits(request_);
-  if (granted && server_.listeners() >= server_.limits.streams) {
-    return refuse(error_response(503, "too many listen to events already"));
-  }
-  using Framing = PushClient::Framing;
-  using Admission = PushClient::Admission;
-  const PushClient client(request_.parameter("session").empty() ? Framing::kRaw : Framing::kSockJs,
-                          granted ? Admission::kGranted : Admission::kByAuth);
-  stream_.expires_never();
-  const auto push =
-      std::make_shared<PushSession>(server_, shared_from_this(), std::move(stream_), client);
-  push_ = push;
-  push->accept(parser_->get());
-}
-
-// Sessions end and keys are removed while somebody listens by them.
-bool HttpSession::is_to_be_asked_again() {
-  const auto now = std::chrono::steady_clock::now();
-  if (now - admitted_ < server_.limits.admission_lasts) return false;
-  admitted_ = now;
-  return true;
-}
-
-bool HttpSession::still_admitted() {
-  return !is_to_be_asked_again() || server_.site.still_admits(request_.caller);
-}
-
-bool HttpSession::still_admitted_to_push() {
-  return !is_to_be_asked_again() || server_.hub->admits(request_);
-}
-
-void HttpSession::end_stream() {
-  server_.streams.erase(this);
-  stream_.close();
 }
 
 }  // namespace slipstick

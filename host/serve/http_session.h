@@ -48,6 +48,9 @@ struct HttpShared {
   boost::asio::thread_pool slow{1};
 };
 
+/// Puts in what every response carries.
+void add_common_headers(boost::beast::http::fields& fields);
+
 /// One connection: requests one after the other, or a stream of events. Lives as long as an
 /// operation of it is under way. Threads: that of `io`.
 class HttpSession : public std::enable_shared_from_this<HttpSession> {

@@ -33,9 +33,8 @@ HttpResponse octo_server(const HttpRequest&, Services&) {
   return json_response({{"version", kOctoPrintRelease}, {"safemode", nullptr}});
 }
 
-// The name is the one that goes with the session, whoever asks.
 HttpResponse octo_login(const HttpRequest& request, Services& services) {
-  return json_response({{"name", kOctoPrintUser},
+  return json_response({{"name", name_of(request.caller)},
                         {"active", true},
                         {"admin", request.caller.scope == Scope::kAdmin},
                         {"user", true},

@@ -31,6 +31,7 @@ void StatusReporter::job_began(std::int64_t id, const std::string& file) {
 }
 
 void StatusReporter::layer_began(PrintedLayer layer) {
+  progress_told_ = {};  // of every layer something is told
   status_.layer = layer.layer;
   status_.height = layer.height;
   layer_ = std::make_shared<const PrintedLayer>(std::move(layer));

@@ -21,6 +21,7 @@ OctoMoment moment() {
   moment.status.height = 1.2;
   moment.status.completion = 0.5;
   moment.status.seconds = 100;
+  moment.status.seconds_left = 100;
   moment.status.lines_sent = 200;
   moment.status.resends = 4;
   Temperatures seen;
