@@ -25,8 +25,8 @@ async function serveFrom(folder, context) {
   });
 }
 
-// Opens a window of a browser on `url` and calls `act(page, watch)`. `foreseen`: what the page meets as it opens.
-export async function inBrowser(url, {foreseen = [], ...look}, act) {
+// Opens an empty window of a browser that is to stay at `url` and calls `act(window, watch)`.
+export async function inWindow(url, {foreseen = [], ...look}, act) {
   const browser = await chromium.launch({executablePath: CHROMIUM, args: ['--disable-gpu']});
   try {
     const context = await browser.newContext({...DESKTOP, ...look});
@@ -34,12 +34,16 @@ export async function inBrowser(url, {foreseen = [], ...look}, act) {
     if (WEB) await serveFrom(WEB, context);
     const watch = new Watch(context, url);
     for (const pattern of foreseen) watch.foresee(pattern);
-    const page = await PrinterPage.open(await context.newPage(), url);
-    await act(page, watch);
+    await act(await context.newPage(), watch);
     watch.end();
   } finally {
     await browser.close();
   }
+}
+
+// The same with the page in it: `act(page, watch)`. `foreseen`: what the page meets as it opens.
+export function inBrowser(url, look, act) {
+  return inWindow(url, look, async (window, watch) => act(await PrinterPage.open(window, url), watch));
 }
 
 // The same with a daemon of its own.

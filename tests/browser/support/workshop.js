@@ -14,7 +14,7 @@ const ANSWER_MS = 10_000;
 
 export class Workshop {
   // `speed`: seconds of the printer in one of ours; `serve`: further options of the daemon.
-  static async open({speed = 60, serve = []} = {}) {
+  static async open({speed = 60, serve = [], listen = '127.0.0.1:0'} = {}) {
     const shop = new Workshop();
     shop.folder = await mkdtemp(join(tmpdir(), 'slipstick-browser-'));
     try {
@@ -23,7 +23,7 @@ export class Workshop {
       shop.printer = new Process(PROGRAM, ['sim', '--pty', pty, '--control', shop.control, '--speed', String(speed)]);
       await shop.printer.says(/(printer at .*)\n/);
       shop.options = ['--printer', `pty:${pty}`, '--data', join(shop.folder, 'data'), ...serve];
-      await shop.serve('127.0.0.1:0');
+      await shop.serve(listen);
       return shop;
     } catch (error) {
       await shop.close();
