@@ -5,6 +5,7 @@
 
 #include "host/commands/command.h"
 #include "host/interrupt.h"
+#include "host/process_memory.h"
 
 namespace {
 
@@ -53,6 +54,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : kUsage;
   }
+  keep_freed_memory();
   Interrupt::install();
   try {
     set_up_logging(level);

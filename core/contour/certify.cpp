@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "core/contour/certify_column.h"
+#include "core/contour/certify_curve.h"
 #include "core/contour/certify_events.h"
 
 namespace slipstick {
@@ -111,7 +112,7 @@ class Certifier {
   }
 
   void judge_square(Field& field, const Block& b, const GradientRange& range, bool open) {
-    if (curve_) judge_curve(b, open ? field.over(box_of(b, z_)) : range);
+    if (curve_) look_at_curve(field, b);
     if (!open || no_critical_point(range)) return;
     const ColumnVerdict verdict = judge_column(field, box_of(b, above_));
     boxes_ += verdict.boxes;
@@ -120,8 +121,10 @@ class Certifier {
     squares.push_back({b.column, b.row, verdict.low, verdict.high});
   }
 
-  void judge_curve(const Block& b, const GradientRange& range) {
-    if (range.no_surface() || range.x.never_zero() || range.y.never_zero()) return;
+  void look_at_curve(Field& field, const Block& b) {
+    const CurveVerdict verdict = judge_curve(field, box_of(b, z_));
+    boxes_ += verdict.boxes;
+    if (verdict.certified) return;
     ++result_.uncertified;
     if (result_.uncertified_at.size() >= kPlacesMax) return;
     const Vec3 c = box_of(b, z_).centre();

@@ -58,7 +58,8 @@ enum class CertifyEffort : std::uint8_t { kQuick, kThorough };
 ///
 /// A square is certified if, in its box at z, f has no zero or fx has none or fy has none: then
 /// the curve in it is a graph, and all squares of such boxes together make the slice isotopic to
-/// the section. One box may certify many squares. A slab box holds no event if f has no zero in it
+/// the section. One box may certify many squares; one that it leaves open is looked at in parts
+/// (`judge_curve`). A slab box holds no event if f has no zero in it
 /// or the derivative in one of four horizontal directions has none: then the surface has no
 /// horizontal tangent plane there. If no box of a slab fails, all sections in it are isotopic.
 /// Failing columns, one square wide, are split in eight up to `kEventSplits` times.

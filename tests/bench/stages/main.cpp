@@ -2,11 +2,13 @@
 // side.
 #include <benchmark/benchmark.h>
 
+#include "host/process_memory.h"
 #include "tests/bench/stages/stages.h"
 
 int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  slipstick::keep_freed_memory();  // as the program does
   slipstick::register_layer_stages();
   benchmark::RunSpecifiedBenchmarks();
 }

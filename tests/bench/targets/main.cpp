@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "host/process_memory.h"
 #include "tests/bench/targets/targets.h"
 
 using namespace slipstick::targets;
@@ -34,6 +35,7 @@ int main(int argc, char** argv) {
                argv[i]);
     return 2;
   }
+  slipstick::keep_freed_memory();  // as the program does
   std::vector<Row> rows;
   for (const auto& [name, group] : kGroups) {
     if (argc > 1 && std::find(argv + 1, argv + argc, name) == argv + argc) continue;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "core/base/rng.h"
 #include "core/formats/lua_script.h"
@@ -118,6 +119,57 @@ TEST_CASE("A certified slice has the topology of one four times as fine", "[cert
     CHECK(planar(blobs.image(z, 0.2)) == planar(blobs.image(z, 0.05)));
   }
   CHECK(certified >= 8);
+}
+
+TEST_CASE("A saddle beside the curve leaves no square open", "[certify]") {
+  // Its middle is that of a square, which the curve goes around.
+  const Subject saddle(
+      "local u, v = x - 0.05, y - 0.05\nreturn (u * (u + v) - v * (u + v) + 0.003):bounds(-2, -2, "
+      "-2, 2, 2, 2)");
+  const SliceGrid window = SliceGrid::over({{-1, -1}, {1, 1}}, kH).value();
+  const BitImage image = saddle.image(0, window);
+
+  const LayerCertificate c = certify_layer(*saddle.field(), image, 0, 0);
+
+  CHECK(c.cells > 20);
+  CHECK(c.uncertified == 0);
+}
+
+TEST_CASE("A corner of the curve within a square is certified", "[certify]") {
+  // On a diagonal: there f goes up and down along x, and along y.
+  const Subject wedge("return (0.8 * (x + y) + abs(x - y) - 0.1):bounds(-4, -4, -4, 4, 4, 4)");
+  const SliceGrid window = SliceGrid::over({{-1, -1}, {1, 1}}, kH).value();
+  const BitImage image = wedge.image(0, window);
+
+  const LayerCertificate c = certify_layer(*wedge.field(), image, 0, 0);
+
+  CHECK(c.cells > 10);
+  CHECK(c.uncertified == 0);
+}
+
+TEST_CASE("Certified conics have the topology of a slice eight times as fine", "[certify]") {
+  Rng rng(21);
+  int certified = 0, open = 0;
+  for (int round = 0; round < 300; ++round) {
+    // About as thin as a square, or much thinner, or with such a gap; cut off by a disc.
+    const double a = std::pow(10.0, 4 * rng.unit()), turn = 3.15 * rng.unit();
+    const double c = std::cos(turn), s = std::sin(turn), sign = rng.below(2) == 0 ? 1 : -1;
+    const std::string u = fmt::format("({}*x + {}*y - {})", c, s, 0.1 * rng.unit());
+    const std::string v = fmt::format("({}*x - {}*y - {})", s, c, 0.1 * rng.unit());
+    const Subject conic(
+        fmt::format("return max({}*({}^2 - {}*{}^2 - {}), x^2 + y^2 - 1.43)"
+                    ":bounds(-2, -2, -2, 2, 2, 2)",
+                    sign, u, sign * a, v, 0.1 + 0.3 * rng.unit()));
+    if (conic.certificate(0, 0, kH).uncertified != 0) {
+      ++open;
+      continue;
+    }
+    ++certified;
+    CAPTURE(round, a, turn, sign);
+    CHECK(planar(conic.image(0, kH)) == planar(conic.image(0, kH / 8)));
+  }
+  CHECK(certified > 100);
+  CHECK(open > 20);
 }
 
 TEST_CASE("Certified squares do not depend on where the window begins", "[certify]") {
