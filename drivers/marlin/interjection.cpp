@@ -11,8 +11,8 @@
 namespace slipstick {
 namespace {
 
-constexpr std::array kHarmlessM{73,  104, 106, 107, 117, 140, 150, 201, 203, 204,
-                                205, 220, 221, 290, 300, 301, 304, 355, 413, 900};
+constexpr std::array kHarmlessM{73,  104, 106, 107, 117, 140, 150, 201, 203, 204, 205,
+                                220, 221, 290, 300, 301, 304, 355, 413, 486, 900};
 constexpr double kFullFan = 255;
 
 struct Dial {

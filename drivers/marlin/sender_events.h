@@ -55,6 +55,13 @@ struct MessageSeen {
   friend bool operator==(const MessageSeen&, const MessageSeen&) = default;
 };
 
+/// What the printer says that is none of the protocol's: an answer to a line of the owner (a
+/// position, a table, switches), or a line that was damaged on its way.
+struct AnswerSeen {
+  std::string text;
+  friend bool operator==(const AnswerSeen&, const AnswerSeen&) = default;
+};
+
 /// The printer asks for something: "pause", "cancel", …
 struct ActionSeen {
   std::string text;
@@ -95,8 +102,8 @@ struct ResetWanted {
 };
 
 using SenderEvent =
-    std::variant<FirmwareSeen, TemperaturesSeen, ResendSeen, ProbeSent, MessageSeen, ActionSeen,
-                 SenderStopped, SessionBegun, LineBound, QuestionInserted, ResetWanted>;
+    std::variant<FirmwareSeen, TemperaturesSeen, ResendSeen, ProbeSent, MessageSeen, AnswerSeen,
+                 ActionSeen, SenderStopped, SessionBegun, LineBound, QuestionInserted, ResetWanted>;
 
 struct SenderCounters {
   std::uint64_t lines_sent = 0;  ///< Lines of the job that were sent, each counted once.

@@ -59,6 +59,11 @@ bool Sender::ask_about_doubt() {
 }
 
 void Sender::on(const PositionReport& report, Moment /*now*/) {
+  if (!outstanding_ || lines_.at(*outstanding_).owner != LineOwner::kSender) {
+    const Position& at = report.position;
+    tell(AnswerSeen{fmt::format("X:{:.2f} Y:{:.2f} Z:{:.2f} E:{:.2f}", at[0].value_or(0),
+                                at[1].value_or(0), at[2].value_or(0), at[3].value_or(0))});
+  }
   if (!doubt_ && outstanding_ && lines_.at(*outstanding_).text == "M114") {
     const bool confirmed = learnt_ == report.position;
     learnt_ = report.position;

@@ -136,10 +136,11 @@ void Sender::on(const Wait& /*wait*/, Moment now) {
   if (outstanding_ && now - sent_at_ >= kSettle) deadline_ = now;
 }
 
-void Sender::on(const Unknown& /*unknown*/, Moment /*now*/) {
+void Sender::on(const Unknown& unknown, Moment /*now*/) {
   odd_text_ = true;
   if (!drain_) ++loose_ends_;
   ++counters_.unreadable;
+  tell(AnswerSeen{unknown.text});
 }
 
 void Sender::stay_patient(Moment now) {

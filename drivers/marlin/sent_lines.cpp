@@ -17,7 +17,8 @@ LineNumber SentLines::bind(std::string text, LineOwner owner) {
   const std::uint64_t before = highest_ < first_ ? 0 : ring_[slot(highest_)].job_lines;
   const Position& after = tracker_.follow(text);
   ++highest_;
-  ring_[slot(highest_)] = {std::move(text), before + (owner == LineOwner::kJob ? 1U : 0U), after};
+  const std::uint64_t lines = before + (owner == LineOwner::kJob ? 1U : 0U);
+  ring_[slot(highest_)] = {std::move(text), lines, after, owner};
   return highest_;
 }
 

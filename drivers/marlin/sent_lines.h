@@ -26,6 +26,7 @@ class SentLines {
     std::string text;
     std::uint64_t job_lines = 0;  ///< How many of the lines up to this one belong to the job.
     Position after;               ///< Where it leaves the printer.
+    LineOwner owner = LineOwner::kSender;
   };
 
   /// \param first the number that the first line gets, at least 0.
