@@ -9,7 +9,8 @@ LayerLines::LayerLines(SlicingJob& job, const PrintSettings& settings, OnLayer o
     : job_(job),
       settings_(settings),
       on_layer_(std::move(on_layer)),
-      text_(beginning == Beginning::kStart ? write_start(settings).text : "") {}
+      text_(beginning == Beginning::kStart ? write_start(settings).text : ""),
+      next_layer_(job.first_layer()) {}
 
 Result<std::optional<Line>> LayerLines::next() {
   while (true) {
@@ -24,6 +25,13 @@ Result<std::optional<Line>> LayerLines::next() {
 
 bool LayerLines::ready() const {
   return at_ < text_.size() || stage_ != Stage::kLayers || job_.ready();
+}
+
+bool LayerLines::take_pause() {
+  while (at_ < text_.size() && (text_[at_] == ';' || text_[at_] == '\n')) next_text();
+  if (at_ < text_.size() || stage_ != Stage::kLayers || asked_) return false;
+  asked_ = true;
+  return pause_before_ && pause_before_(next_layer_);
 }
 
 std::optional<std::string_view> LayerLines::next_text() {
@@ -48,6 +56,8 @@ Result<void> LayerLines::refill() {
     stage_ = Stage::kEnd;
     return {};
   }
+  next_layer_ = (*layer)->index + 1;
+  asked_ = false;
   on_layer_(**layer);
   SLIPSTICK_CHECK((*layer)->program);
   text_ = std::move((*layer)->program->text);

@@ -32,14 +32,17 @@ LayerSlicer::LayerSlicer(const PlacedSolid& placed, const SliceGrid& grid, const
       settings_(settings),
       slicing_(settings.original().slicing),
       goal_(goal),
-      images_(placed.solid, grid, stack, slicing_.regularize) {}
+      images_(placed.solid, grid, stack, slicing_.regularize),
+      kept_(images_, grid, stack.count()) {}
 
 Result<SlicedLayer> LayerSlicer::slice(int layer) {
   const SettingsTimeline::OfLayer settings = settings_.begin(layer);
-  const auto image = images_.image(layer);
+  const auto whole = images_.image(layer);
+  if (!whole) return fail(whole.error());
+  const auto image = kept_.image(layer, settings.cancelled);
   if (!image) return fail(image.error());
   SlicedLayer result = contours(layer, *image);
-  if (slicing_.certify != Certification::kOff) certify(result);
+  if (slicing_.certify != Certification::kOff) certify(**whole, result);
   if (goal_ == SliceGoal::kToolpaths) {
     if (const auto ok = add_toolpaths(settings, result); !ok) return fail(ok.error());
   }
@@ -47,7 +50,9 @@ Result<SlicedLayer> LayerSlicer::slice(int layer) {
 }
 
 void LayerSlicer::finished_below(int layer) {
-  images_.forget_below(layer - settings_.bottom_layers_from(layer));
+  const int needed = layer - settings_.bottom_layers_from(layer);
+  images_.forget_below(needed);
+  kept_.forget_below(needed);
 }
 
 SlicedLayer LayerSlicer::contours(int layer, const ImageWindow::Image& image) const {
@@ -74,12 +79,12 @@ SlicedLayer LayerSlicer::contours(int layer, const ImageWindow::Image& image) co
           seconds};
 }
 
-// The slice and the slab above it; what is below the first slice belongs to that, too.
-void LayerSlicer::certify(SlicedLayer& layer) const {
+// The slice of the whole solid, whose formula it is, and the slab above it; what is below the first
+// slice belongs to that, too.
+void LayerSlicer::certify(const BitImage& image, SlicedLayer& layer) const {
   const auto field = solid_->field();
   if (!field || slicing_.regularize > 0) return;
   Stopwatch watch;
-  const BitImage& image = *layer.image;
   const double beyond = image.grid().width();
   const bool last = layer.index + 1 == stack_.count();
   const double above =
@@ -113,9 +118,11 @@ Simplified LayerSlicer::simplify(const ContourSet& contours) const {
 Result<void> LayerSlicer::add_toolpaths(const SettingsTimeline::OfLayer& settings,
                                         SlicedLayer& layer) {
   const ToolpathSettings& toolpath = settings.own->toolpath;
-  const auto above = common_part(layer.index + 1, layer.index + toolpath.top_layers);
+  const auto above =
+      common_part(layer.index + 1, layer.index + toolpath.top_layers, settings.cancelled);
   if (!above) return fail(above.error());
-  const auto below = common_part(layer.index - toolpath.bottom_layers, layer.index - 1);
+  const auto below =
+      common_part(layer.index - toolpath.bottom_layers, layer.index - 1, settings.cancelled);
   if (!below) return fail(below.error());
   Stopwatch watch;
   layer.toolpaths = plan_layer({layer.index, layer.top, stack_.thickness(layer.index), *layer.image,
@@ -128,12 +135,12 @@ Result<void> LayerSlicer::add_toolpaths(const SettingsTimeline::OfLayer& setting
 }
 
 // What the images of layers `from` to `to` have in common.
-Result<BitImage> LayerSlicer::common_part(int from, int to) {
-  auto first = images_.image(from);
+Result<BitImage> LayerSlicer::common_part(int from, int to, const Cancelled& cancelled) {
+  auto first = kept_.image(from, cancelled);
   if (!first) return fail(first.error());
   BitImage common = **first;
   for (int layer = from + 1; layer <= to && common.any(); ++layer) {
-    const auto image = images_.image(layer);
+    const auto image = kept_.image(layer, cancelled);
     if (!image) return fail(image.error());
     common &= **image;
   }

@@ -4,6 +4,7 @@
 
 #include "core/job/layers.h"
 #include "core/job/placement.h"
+#include "host/kept_images.h"
 #include "host/layer_images.h"
 #include "host/settings_timeline.h"
 #include "host/sliced_layer.h"
@@ -35,11 +36,12 @@ class LayerSlicer {
 
  private:
   [[nodiscard]] SlicedLayer contours(int layer, const ImageWindow::Image& image) const;
-  void certify(SlicedLayer& layer) const;
+  void certify(const BitImage& image, SlicedLayer& layer) const;
   [[nodiscard]] Simplified simplify(const ContourSet& contours) const;
   [[nodiscard]] Result<void> add_toolpaths(const SettingsTimeline::OfLayer& settings,
                                            SlicedLayer& layer);
-  [[nodiscard]] Result<BitImage> common_part(int from, int to);
+  using Cancelled = std::vector<CancelledObject>;
+  [[nodiscard]] Result<BitImage> common_part(int from, int to, const Cancelled& cancelled);
 
   const std::shared_ptr<const Solid> solid_;
   const Box3 bounds_;
@@ -48,6 +50,7 @@ class LayerSlicer {
   const SlicingSettings slicing_;  // no layer has others
   const SliceGoal goal_;
   LayerImages images_;
+  KeptImages kept_;
 };
 
 }  // namespace slipstick

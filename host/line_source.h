@@ -21,6 +21,9 @@ class LineSource {
 
   /// Whether `next` would not wait.
   [[nodiscard]] virtual bool ready() const = 0;
+
+  /// Whether the print is to be paused before the next line. Yes at most once for each line.
+  [[nodiscard]] virtual bool take_pause() { return false; }
 };
 
 }  // namespace slipstick

@@ -12,7 +12,8 @@ SettingsTimeline::SettingsTimeline(const PrintSettings& settings)
 SettingsTimeline::OfLayer SettingsTimeline::begin(int layer) {
   const std::lock_guard lock(mutex_);
   begun_ = std::max(begun_, layer + 1);
-  return {at(layer), layer == 0 ? original_ : at(layer - 1)};
+  State own = at(layer);
+  return {own.settings, layer == 0 ? original_ : at(layer - 1).settings, std::move(own.cancelled)};
 }
 
 void SettingsTimeline::end_at(int layer) {
@@ -23,8 +24,8 @@ void SettingsTimeline::end_at(int layer) {
 Result<std::optional<int>> SettingsTimeline::change(const SettingTexts& values) {
   const std::lock_guard lock(mutex_);
   const Change* const last = changes_.empty() ? nullptr : &changes_.back();
-  auto settings = changed(last == nullptr ? *original_ : *last->settings, values);
-  if (!settings) return fail(settings.error());
+  auto state = after(last == nullptr ? State{original_, {}} : last->after, values);
+  if (!state) return fail(state.error());
   if (taken_up_) {
     return fail(ErrorCode::kUnavailable, "the print is being taken up; try again when it goes on");
   }
@@ -35,7 +36,7 @@ Result<std::optional<int>> SettingsTimeline::change(const SettingTexts& values) 
   }
   const int from = std::max(begun_, last == nullptr ? 0 : last->what.from_layer);
   if (end_ && from >= *end_) return std::optional<int>();
-  changes_.push_back({{from, values}, std::make_shared<const PrintSettings>(*std::move(settings))});
+  changes_.push_back({{from, values}, *std::move(state)});
   return std::optional(from);
 }
 
@@ -67,10 +68,10 @@ void SettingsTimeline::go_on() {
 
 int SettingsTimeline::bottom_layers_from(int layer) const {
   const std::lock_guard lock(mutex_);
-  int most = at(layer)->toolpath.bottom_layers;
+  int most = at(layer).settings->toolpath.bottom_layers;
   for (const Change& change : changes_) {
     if (change.what.from_layer > layer)
-      most = std::max(most, change.settings->toolpath.bottom_layers);
+      most = std::max(most, change.after.settings->toolpath.bottom_layers);
   }
   return most;
 }
@@ -80,20 +81,35 @@ Result<SettingsTimeline::Changes> SettingsTimeline::replayed(
   if (told.size() > kChangesMax) return fail(ErrorCode::kInput, "too many changes of settings");
   Changes changes;
   for (const SettingsChange& change : told) {
-    auto settings = changed(changes.empty() ? *original_ : *changes.back().settings, change.values);
-    if (!settings) return fail(settings.error());
+    auto state =
+        after(changes.empty() ? State{original_, {}} : changes.back().after, change.values);
+    if (!state) return fail(state.error());
     if (!changes.empty() && change.from_layer < changes.back().what.from_layer)
       return fail(ErrorCode::kInput, "changes of settings are out of order");
-    changes.push_back({change, std::make_shared<const PrintSettings>(*std::move(settings))});
+    changes.push_back({change, *std::move(state)});
   }
   return changes;
 }
 
 // \pre The lock is held.
-SettingsTimeline::Settings SettingsTimeline::at(int layer) const {
+SettingsTimeline::State SettingsTimeline::at(int layer) const {
   const auto beyond = std::ranges::upper_bound(
       changes_, layer, {}, [](const Change& change) { return change.what.from_layer; });
-  return beyond == changes_.begin() ? original_ : (beyond - 1)->settings;
+  return beyond == changes_.begin() ? State{original_, {}} : (beyond - 1)->after;
+}
+
+Result<SettingsTimeline::State> SettingsTimeline::after(State state, SettingTexts values) {
+  if (const auto object = values.find(kCancelObject); object != values.end()) {
+    const auto cancelled = parse_cancelled_object(object->second);
+    if (!cancelled) return fail(ErrorCode::kInput, "cancel_object: must be LAYER X Y");
+    state.cancelled.push_back(*cancelled);
+    values.erase(object);
+    if (values.empty()) return state;
+  }
+  auto settings = changed(*state.settings, values);
+  if (!settings) return fail(settings.error());
+  state.settings = std::make_shared<const PrintSettings>(*std::move(settings));
+  return state;
 }
 
 }  // namespace slipstick

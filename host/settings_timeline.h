@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/job/settings_change.h"
+#include "host/cancelled_object.h"
 
 namespace slipstick {
 
@@ -21,6 +22,7 @@ class SettingsTimeline {
   struct OfLayer {
     Settings own;
     Settings below;  ///< Of the layer below it; of the first, those that the print began with.
+    std::vector<CancelledObject> cancelled;  ///< What it is made without, in order.
   };
 
   explicit SettingsTimeline(const PrintSettings& settings);
@@ -33,7 +35,8 @@ class SettingsTimeline {
   /// The print has the layers below `layer` and no others.
   void end_at(int layer);
 
-  /// Other values from the next layer on that is not begun, and where there are changes to come
+  /// Other values, or one more cancelled object (`kCancelObject`), from the next layer on that is
+  /// not begun, and where there are changes to come
   /// already, not before the last of them. \return that layer; nothing, and nothing changes, if the
   /// print has no such layer. kInput as `changed`; kUnavailable while the print is being taken up,
   /// or after `kChangesMax` changes.
@@ -52,14 +55,19 @@ class SettingsTimeline {
   [[nodiscard]] int bottom_layers_from(int layer) const;
 
  private:
+  struct State {
+    Settings settings;
+    std::vector<CancelledObject> cancelled;
+  };
   struct Change {
     SettingsChange what;
-    Settings settings;  ///< All of them, from there on.
+    State after;  ///< All there is, from there on.
   };
   using Changes = std::vector<Change>;
 
   [[nodiscard]] Result<Changes> replayed(const std::vector<SettingsChange>& told) const;
-  [[nodiscard]] Settings at(int layer) const;
+  [[nodiscard]] State at(int layer) const;
+  [[nodiscard]] static Result<State> after(State state, SettingTexts values);
 
   const Settings original_;
 

@@ -135,6 +135,10 @@ class Stream {
         sender_.push(*line, LineOwner::kHost);
         continue;
       }
+      if (!pause_.holds() && source_.take_pause() && control_.pause()) {
+        heed_requests();
+        continue;
+      }
       if (pause_.holds()) {
         if (pace_ == Pace::kVirtual) std::this_thread::sleep_for(kPausedNap);
         return;

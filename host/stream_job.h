@@ -43,7 +43,8 @@ struct StreamOutcome : StreamFigures {
 /// What the printer itself asks for (`//action:pause`, `paused`, `resume`, `cancel`) is done as if
 /// the control had asked. Where it acknowledges a line and says that it did not do it, the print is
 /// paused, in virtual time, where nobody could look, ended; so it is where a sensor of a heater
-/// that is to be hot cannot be right.
+/// that is to be hot cannot be right, and where the source wants it, before the line it wants it
+/// for.
 ///
 /// Whatever ends it early, the heaters are turned off if the printer can still hear it.
 /// \return kCancelled if interrupted, kPrinter if the printer halted or was lost, kDisconnected if

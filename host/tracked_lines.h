@@ -20,6 +20,7 @@ class TrackedLines final : public LineSource {
 
   [[nodiscard]] Result<std::optional<Line>> next() override;
   [[nodiscard]] bool ready() const override { return source_.ready(); }
+  [[nodiscard]] bool take_pause() override { return source_.take_pause(); }
 
   /// Lets lines go by until `line` of the job are done.
   /// \return kInput if the job has fewer.
