@@ -28,12 +28,16 @@ void keep_freed_memory() {
   ::mallopt(M_TRIM_THRESHOLD, kKeptBytes);
 }
 
+void give_back_freed_memory() {
+  ::malloc_trim(0);
+}
+
 double resident_mb() {
   return status_mb("VmRSS:");
 }
 
 double begin_peak_anew() {
-  ::malloc_trim(0);
+  give_back_freed_memory();
   std::ofstream("/proc/self/clear_refs") << 5;
   return resident_mb();
 }

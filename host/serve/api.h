@@ -30,8 +30,14 @@ namespace slipstick {
 [[nodiscard]] HttpResponse post_key(const HttpRequest& request, Services& services);
 [[nodiscard]] HttpResponse delete_key(const HttpRequest& request, Services& services);
 
+// api_apps.cpp
+[[nodiscard]] HttpResponse get_app_requests(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse post_app_request(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse delete_app_request(const HttpRequest& request, Services& services);
+
 // api_machine.cpp
 [[nodiscard]] HttpResponse get_machine(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse put_machine(const HttpRequest& request, Services& services);
 
 // api_files.cpp
 [[nodiscard]] HttpResponse get_files(const HttpRequest& request, Services& services);
@@ -49,11 +55,15 @@ namespace slipstick {
 [[nodiscard]] HttpResponse get_job(const HttpRequest& request, Services& services);
 [[nodiscard]] HttpResponse cancel_job(const HttpRequest& request, Services& services);
 [[nodiscard]] HttpResponse take_up_job(const HttpRequest& request, Services& services);
-/// Of the address, if it is a number.
-[[nodiscard]] std::optional<std::int64_t> job_id(const HttpRequest& request);
+/// `{id}` of the address, if it is a number.
+[[nodiscard]] std::optional<std::int64_t> id_in(const HttpRequest& request);
+
+// api_pauses.cpp
+[[nodiscard]] HttpResponse put_pauses(const HttpRequest& request, Services& services);
 
 // api_changes.cpp
 [[nodiscard]] HttpResponse change_settings(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse cancel_object(const HttpRequest& request, Services& services);
 
 enum class QueuePlace : std::uint8_t {
   kLast,
@@ -76,6 +86,11 @@ enum class QueuePlace : std::uint8_t {
 [[nodiscard]] HttpResponse get_settings(const HttpRequest& request, Services& services);
 /// What a stream of events begins with.
 [[nodiscard]] HttpResponse get_events(const HttpRequest& request, Services& services);
+
+// api_serial_log.cpp
+[[nodiscard]] HttpResponse get_serial_log(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse put_serial_log(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse get_serial_lines(const HttpRequest& request, Services& services);
 
 // api_adjust.cpp
 [[nodiscard]] HttpResponse adjust_printer(const HttpRequest& request, Services& services);

@@ -1,6 +1,8 @@
-// /api/v1/jobs/N/settings: other settings for what is not made yet.
+// /api/v1/jobs/N/settings and cancel-object: other settings, or one object less, in what is not
+// made yet.
 #include <nlohmann/json.hpp>
 
+#include "core/region/islands.h"
 #include "host/serve/api.h"
 #include "host/settings_changes_text.h"
 
@@ -21,7 +23,7 @@ Result<std::optional<HttpResponse>> change_queued(const StoredJob& job, const Js
                                                   Services& services) {
   Json spec = parse_json(job.spec);
   for (const auto& [key, value] : settings.items()) spec["settings"][key] = value;
-  const auto checked = job_spec(nlohmann::json(spec), services.defaults);
+  const auto checked = job_spec(nlohmann::json(spec), services.printer.defaults());
   if (!checked) return fail(checked.error());
   const auto queued = services.store.set_spec(job.id, spec.dump());
   if (!queued) return fail(queued.error());
@@ -48,7 +50,7 @@ bool is_gcode(const StoredJob& job) {
 }  // namespace
 
 HttpResponse change_settings(const HttpRequest& request, Services& services) {
-  const auto id = job_id(request);
+  const auto id = id_in(request);
   const Json json = parse_json(request.body);
   const auto values = setting_texts(nlohmann::json(json));
   if (!values) return error_response(values.error());
@@ -65,6 +67,27 @@ HttpResponse change_settings(const HttpRequest& request, Services& services) {
     if (*done) return **std::move(done);
   }
   return error_response(404, "there is no such job");
+}
+
+// The layer is the one that whoever asks has before him.
+HttpResponse cancel_object(const HttpRequest& request, Services& services) {
+  const Json json = parse_json(request.body);
+  const bool fits = json.is_object() && json.size() == 2 && json.contains("x") &&
+                    json.contains("y") && json["x"].is_number() && json["y"].is_number();
+  if (!fits) return error_response(400, R"(the body is {"x": 110.5, "y": 87})");
+  const auto id = id_in(request);
+  const auto layer = services.board.layer();
+  if (!id || services.board.get().job != *id || !layer || !layer->image)
+    return error_response(409, "no layer of this job is being printed");
+  const CancelledObject object{layer->layer - 1, json["x"], json["y"]};
+  const BitImage island = island_at(*layer->image, object.x, object.y);
+  if (!island.any()) return error_response(409, "nothing of this layer is there");
+  if (island == *layer->image)
+    return error_response(409, "that is all there is in this layer: cancel the print");
+  const auto job = services.store.job(*id);
+  if (!job) return error_response(job.error());
+  if (!*job) return error_response(404, "there is no such job");
+  return change_print(**job, {{kCancelObject, cancelled_object_text(object)}}, services);
 }
 
 }  // namespace slipstick

@@ -33,7 +33,7 @@ LayerPreview::Question question(const HttpRequest& request, Services& services,
                                 const StoredFile& file) {
   const auto spec = request.target.query.find("spec");
   return {services.store.path_of(file.id, file.extension).string(), file,
-          spec == request.target.query.end() ? "{}" : spec->second, services.defaults};
+          spec == request.target.query.end() ? "{}" : spec->second, services.printer.defaults()};
 }
 
 HttpResponse json_text(const Result<std::string>& text) {
@@ -81,8 +81,9 @@ HttpResponse get_picture(const HttpRequest& request, Services& services) {
   const auto picture = services.store.picture_of(sought.file.id);
   std::error_code ignored;
   if (!std::filesystem::exists(picture, ignored)) {
-    const auto drawn = draw_file(services.store.path_of(sought.file.id, sought.file.extension),
-                                 sought.file, services.defaults, picture);
+    const auto path = services.store.path_of(sought.file.id, sought.file.extension);
+    const auto drawn = draw_file(path, sought.file, services.printer.defaults(), picture);
+    if (!drawn && !std::filesystem::exists(path, ignored)) return no_such_file(sought.file.name);
     if (!drawn) return error_response(drawn.error());
   }
   auto bytes = read_file(picture);

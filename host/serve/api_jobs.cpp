@@ -5,6 +5,7 @@
 
 #include "core/base/number_text.h"
 #include "host/serve/api.h"
+#include "host/serve/pause_layers.h"
 #include "host/settings_changes_text.h"
 
 namespace slipstick {
@@ -49,6 +50,7 @@ Json to_json(const StoredJob& job) {
           {"ended", moment(job.ended)},
           {"message", job.message},
           {"changes", changes_of(job)},
+          {"pauses", pauses_of(job)},
           {"result", job.result.empty() ? Json() : Json::parse(job.result, nullptr, false)}};
 }
 
@@ -63,7 +65,7 @@ HttpResponse no_such_job() {
 }
 
 HttpResponse add_job(const std::string& name, const Json& spec, Services& services) {
-  const auto checked = job_spec(nlohmann::json(spec), services.defaults);
+  const auto checked = job_spec(nlohmann::json(spec), services.printer.defaults());
   if (!checked) return error_response(checked.error());
   const auto file = services.store.file(name);
   if (!file) return error_response(file.error());
@@ -77,7 +79,7 @@ HttpResponse add_job(const std::string& name, const Json& spec, Services& servic
 
 }  // namespace
 
-std::optional<std::int64_t> job_id(const HttpRequest& request) {
+std::optional<std::int64_t> id_in(const HttpRequest& request) {
   const std::string& text = request.parameter("id");
   std::int64_t id = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), id);
@@ -127,7 +129,7 @@ HttpResponse post_job(const HttpRequest& request, Services& services) {
 }
 
 HttpResponse get_job(const HttpRequest& request, Services& services) {
-  const auto id = job_id(request);
+  const auto id = id_in(request);
   if (!id) return no_such_job();
   const auto job = services.store.job(*id);
   if (!job) return error_response(job.error());
@@ -135,7 +137,7 @@ HttpResponse get_job(const HttpRequest& request, Services& services) {
 }
 
 HttpResponse cancel_job(const HttpRequest& request, Services& services) {
-  const auto id = job_id(request);
+  const auto id = id_in(request);
   if (!id) return no_such_job();
   const auto cancelled = services.store.cancel_queued(*id, std::int64_t{std::time(nullptr)});
   if (!cancelled) return error_response(cancelled.error());
@@ -150,7 +152,7 @@ HttpResponse cancel_job(const HttpRequest& request, Services& services) {
 }
 
 HttpResponse take_up_job(const HttpRequest& request, Services& services) {
-  const auto id = job_id(request);
+  const auto id = id_in(request);
   if (!id) return no_such_job();
   const Json json = request.body.empty() ? Json::object() : parse_json(request.body);
   const bool fits = json.is_object() && json.size() == json.count("recover") &&

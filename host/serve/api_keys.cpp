@@ -1,5 +1,4 @@
 // /api/v1/keys: what programs show in place of a password.
-#include <charconv>
 #include <ctime>
 #include <nlohmann/json.hpp>
 
@@ -47,12 +46,9 @@ HttpResponse post_key(const HttpRequest& request, Services& services) {
 }
 
 HttpResponse delete_key(const HttpRequest& request, Services& services) {
-  const std::string& text = request.parameter("id");
-  std::int64_t id = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), id);
-  const bool is_number = error == std::errc() && end == text.data() + text.size();
-  if (!is_number) return error_response(404, "there is no such key");
-  const auto removed = services.accounts.remove_key(id);
+  const auto id = id_in(request);
+  if (!id) return error_response(404, "there is no such key");
+  const auto removed = services.accounts.remove_key(*id);
   if (!removed) return error_response(removed.error());
   return *removed ? empty_response() : error_response(404, "there is no such key");
 }

@@ -48,8 +48,7 @@ HttpResponse clear_bed(const HttpRequest&, Services& services) {
 }
 
 HttpResponse get_settings(const HttpRequest&, Services& services) {
-  const auto settings = load_settings(
-      {services.defaults.printer, services.defaults.material, services.defaults.profile, {}, {}});
+  const auto settings = load_settings(default_settings(services.printer.defaults()));
   if (!settings) return error_response(settings.error());
   Json list = Json::array();
   for (const SettingGroup group : kSettingGroups) {

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 #include <sys/file.h>
 
 #include <atomic>
@@ -37,10 +38,10 @@ Result<std::optional<CameraUrl>> camera_of(const Daemon::Options& options) {
 }
 
 // The same mistakes as at the first job, but before there is one.
-Result<void> check(const Daemon::Options& options) {
-  const auto address = parse_transport_address(options.port);
+Result<void> check_printer(const std::string& port, const JobDefaults& defaults) {
+  const auto address = parse_transport_address(port);
   if (!address) return fail(address.error());
-  const auto spec = job_spec_from_text("{}", options.defaults);
+  const auto spec = job_spec_from_text("{}", defaults);
   if (!spec) return fail(spec.error());
   return {};
 }
@@ -75,10 +76,7 @@ class Daemon::Implementation {
     if (const auto ok = open_desk(); !ok) return ok;
     const auto camera = camera_of(options_);
     if (!camera) return fail(camera.error());
-    auto worker = PrinterWorker::start(
-        {options_.data, options_.port, options_.defaults, options_.power_on}, board_, events_);
-    if (!worker) return fail(worker.error());
-    worker_ = std::move(*worker);
+    if (const auto ok = start_worker(); !ok) return ok;
     const std::string session = random_token();
     for (auto* services : {&quick_, &slow_}) {
       auto store = Store::open(options_.data);
@@ -88,8 +86,7 @@ class Daemon::Implementation {
       services->emplace(Services{std::move(*store),
                                  std::move(*accounts),
                                  {},
-                                 options_.defaults,
-                                 options_.port,
+                                 words(),
                                  *worker_,
                                  board_,
                                  events_,
@@ -114,6 +111,28 @@ class Daemon::Implementation {
   [[nodiscard]] std::string setup_code() const { return desk_->setup ? desk_->setup->text() : ""; }
 
  private:
+  [[nodiscard]] PrinterChoice words() const { return {options_.port, options_.defaults.printer}; }
+
+  // Of a printer that was chosen, all must still be there.
+  Result<void> start_worker() {
+    auto store = Store::open(options_.data);
+    if (!store) return fail(store.error());
+    const auto chosen = store->printer_instead_of(words());
+    if (!chosen) return fail(chosen.error());
+    PrinterWorker::Options options{options_.data, chosen->port, options_.defaults,
+                                   options_.power_on};
+    options.defaults.printer = chosen->machine;
+    if (const auto ok = check_printer(options.port, options.defaults); !ok) {
+      spdlog::warn("the printer that was chosen: {}; using {}", ok.error().message, options_.port);
+      options.port = options_.port;
+      options.defaults = options_.defaults;
+    }
+    auto worker = PrinterWorker::start(std::move(options), board_, events_);
+    if (!worker) return fail(worker.error());
+    worker_ = std::move(*worker);
+    return {};
+  }
+
   HttpSite site() {
     return {[this](const HttpRequest& head) { return admit(head); },
             [this](const Route& route, const HttpRequest& request) {
@@ -226,7 +245,7 @@ Daemon::Daemon(std::unique_ptr<Implementation> implementation)
 Daemon::~Daemon() = default;
 
 Result<std::unique_ptr<Daemon>> Daemon::start(const Options& options) {
-  if (const auto ok = check(options); !ok) return fail(ok.error());
+  if (const auto ok = check_printer(options.port, options.defaults); !ok) return fail(ok.error());
   std::error_code error;
   std::filesystem::create_directories(options.data, error);
   auto lock = lock_folder(options.data);

@@ -19,8 +19,8 @@ class EventLog {
 
   struct Event {
     std::int64_t number = 0;  ///< From 1.
-    std::string
-        type;  ///< "state", "progress", "temperatures", "log", "files", "jobs", "emergency".
+    std::string type;  ///< "state", "progress", "temperatures", "log", "files", "jobs", "apps",
+                       ///< "emergency".
     std::string data;  ///< JSON on one line.
   };
   struct News {

@@ -131,12 +131,14 @@ Result<SettingTexts> setting_texts(const Json& json) {
   return texts;
 }
 
+SettingsRequest default_settings(const JobDefaults& defaults) {
+  return {defaults.printer, defaults.material, defaults.profile, {}, {}};
+}
+
 Result<JobSpec> job_spec(const Json& json, const JobDefaults& defaults) {
   if (!json.is_object()) return fail(ErrorCode::kInput, "a job must be a JSON object");
   JobSpec spec;
-  spec.settings.printer = defaults.printer;
-  spec.settings.material = defaults.material;
-  spec.settings.profile = defaults.profile;
+  spec.settings = default_settings(defaults);
   for (const auto& [key, value] : json.items()) {
     if (const auto ok = take_member(key, value, spec); !ok) return fail(ok.error());
   }

@@ -32,6 +32,9 @@ struct JobDefaults {
   std::string profile = {};
 };
 
+/// The settings of jobs that do not say otherwise.
+[[nodiscard]] SettingsRequest default_settings(const JobDefaults& defaults);
+
 /// Reads a job's JSON and checks that its settings load. \return kInput with the member at fault;
 /// unknown members are errors.
 [[nodiscard]] Result<JobSpec> job_spec(const nlohmann::json& json, const JobDefaults& defaults);

@@ -25,6 +25,11 @@ inline constexpr const char* kOctoPrintUser = "slipstick";
 /// 426: what is no WebSocket.
 [[nodiscard]] HttpResponse octo_no_push(const HttpRequest& request, Services& services);
 
+// api_apps.cpp
+[[nodiscard]] HttpResponse octo_appkeys_probe(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse octo_appkeys_request(const HttpRequest& request, Services& services);
+[[nodiscard]] HttpResponse octo_appkeys_answer(const HttpRequest& request, Services& services);
+
 // octoprint_printer.cpp
 [[nodiscard]] HttpResponse octo_printer(const HttpRequest& request, Services& services);
 [[nodiscard]] HttpResponse octo_job(const HttpRequest& request, Services& services);

@@ -59,8 +59,7 @@ HttpResponse octo_settings(const HttpRequest&, Services&) {
 }
 
 HttpResponse octo_profiles(const HttpRequest&, Services& services) {
-  const auto settings = load_settings(
-      {services.defaults.printer, services.defaults.material, services.defaults.profile, {}, {}});
+  const auto settings = load_settings(default_settings(services.printer.defaults()));
   if (!settings) return error_response(settings.error());
   const PrinterSettings& printer = settings->printer;
   const bool round = printer.bed_shape == BedShape::kRound;
@@ -80,18 +79,19 @@ HttpResponse octo_profiles(const HttpRequest&, Services& services) {
 }
 
 HttpResponse octo_connection(const HttpRequest&, Services& services) {
-  const Json ports = Json::array({services.port});
+  const std::string port = services.printer.port();
+  const Json ports = Json::array({port});
   const Json profiles = Json::array({{{"id", "_default"}, {"name", "Default"}}});
   return json_response({{"current",
                          {{"state", octo_state(services.board.get().activity)},
-                          {"port", services.port},
+                          {"port", port},
                           {"baudrate", nullptr},
                           {"printerProfile", "_default"}}},
                         {"options",
                          {{"ports", ports},
                           {"baudrates", Json::array()},
                           {"printerProfiles", profiles},
-                          {"portPreference", services.port},
+                          {"portPreference", port},
                           {"baudratePreference", nullptr},
                           {"printerProfilePreference", "_default"},
                           {"autoconnect", true}}}});

@@ -30,6 +30,7 @@ class CountedLines final : public LineSource {
     return source_.next();
   }
   bool ready() const override { return source_.ready(); }
+  bool take_pause() override { return source_.take_pause(); }
 
  private:
   LineSource& source_;
@@ -94,12 +95,13 @@ class TaskRun {
       watch_->expect(layer);
       const std::string& program = layer.program->text;
       journal_.began(layer.index, program);
-      layer_ = PrintedLayer{layer.index - first + 1, layer.top, line_ - 1, lines_of_layer(program),
-                            program};
+      layer_ = PrintedLayer{layer.index - first + 1, layer.top, line_ - 1,
+                            lines_of_layer(program), program,   layer.image};
       if (let_by_) tell_layer();
     };
     LayerLines layers(**job, request.settings, on_layer,
                       cut_off ? LayerLines::Beginning::kLayer : LayerLines::Beginning::kStart);
+    layers.pause_before(listeners_.pause_before);
     CountedLines lines(layers, [this](std::int64_t line) { line_ = line; });
     if (!link_) {
       if (const auto ok = connect(request.settings.printer); !ok) return ok;
@@ -117,6 +119,10 @@ class TaskRun {
     auto link = open_printer(port_.address(), printer, watch_->sink());
     if (!link) return fail(port_.met(link.error()));
     link_ = std::move(*link);
+    if (task_.serial_log) {
+      link_->transport =
+          std::make_unique<LoggedTransport>(std::move(link_->transport), *task_.serial_log);
+    }
     const auto found = journal_.find(*link_->transport, *link_->clock);
     if (!found) return fail(port_.met(found.error()));
     return {};

@@ -10,6 +10,7 @@
 #include "host/resume_point.h"
 #include "host/serve/job_spec.h"
 #include "host/serve/printed_layer.h"
+#include "host/serve/serial_log.h"
 #include "host/serve/store.h"
 
 namespace slipstick {
@@ -24,13 +25,15 @@ struct PrintTask {
   std::filesystem::path journal;   ///< Where it is kept; of a printer inside this program, none.
   std::optional<Consent> take_up;  ///< The print was cut off: go on with it.
   std::shared_ptr<SettingsTimeline> timeline = nullptr;  ///< Of a model: settings by layer.
+  std::shared_ptr<SerialLog> serial_log = nullptr;       ///< Told of all bytes, if there is one.
 };
 
-/// How a task tells how far it is; called by the printing thread.
+/// How a task tells how far it is, and asks; called by the printing thread.
 struct TaskListeners {
   std::function<void(int layers)> on_start;  ///< 0 for G-code.
   std::function<void(PrintedLayer)> on_layer;
   std::function<void(double share)> on_completion;
+  std::function<bool(int layer)> pause_before = {};  ///< Of a model: whether to pause there.
 };
 
 /// Prints it, from the file to the last acknowledged line. A G-code file is read through before its

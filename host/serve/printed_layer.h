@@ -1,7 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
+
+#include "core/image/bit_image.h"
 
 namespace slipstick {
 
@@ -14,8 +17,9 @@ struct PrintedLayer {
   double height = 0;  ///< mm: its top.
   std::int64_t lines_before =
       0;  ///< What PrinterStatus::lines is when its first line begins; may be negative.
-  std::int64_t lines = 0;  ///< It has.
-  std::string program;     ///< Its G-code, as `write_layer` makes it.
+  std::int64_t lines = 0;                           ///< It has.
+  std::string program;                              ///< Its G-code, as `write_layer` makes it.
+  std::shared_ptr<const BitImage> image = nullptr;  ///< What it is made of.
 };
 
 /// How many lines of `program` are no comments.

@@ -2,12 +2,14 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <ctime>
 
 #include "drivers/marlin/interjection.h"
 #include "drivers/marlin/safe_stop.h"
 #include "drivers/open_transport.h"
-#include "host/serve/idle_connection.h"
+#include "host/process_memory.h"
+#include "host/serve/pause_layers.h"
 #include "host/serve/print_task.h"
 #include "host/settings_changes_text.h"
 
@@ -15,8 +17,6 @@ namespace slipstick {
 namespace {
 
 constexpr std::chrono::seconds kTellPatience{5};
-/// Where the printer is not there, or does not answer.
-constexpr std::chrono::seconds kBetweenConnections{5};
 
 std::int64_t unix_now() {
   return static_cast<std::int64_t>(std::time(nullptr));
@@ -44,7 +44,7 @@ Result<std::unique_ptr<PrinterWorker>> PrinterWorker::start(Options options, Sta
   std::unique_ptr<PrinterWorker> worker(
       new PrinterWorker(std::move(options), std::move(*store), board, events));
   if (*interrupted > 0) {
-    const auto told = tell_printer(worker->options_.port, kCoolDownBytes);
+    const auto told = tell_printer(worker->port_, kCoolDownBytes);
     if (!told)
       spdlog::error("a print was cut off; its heaters may be on: {}", told.error().message);
   }
@@ -53,7 +53,12 @@ Result<std::unique_ptr<PrinterWorker>> PrinterWorker::start(Options options, Sta
 }
 
 PrinterWorker::PrinterWorker(Options options, Store store, StatusBoard& board, EventLog& events)
-    : options_(std::move(options)), store_(std::move(store)), reporter_(board, events) {}
+    : options_(std::move(options)),
+      serial_log_(std::make_shared<SerialLog>(options_.data)),
+      store_(std::move(store)),
+      reporter_(board, events),
+      port_(options_.port),
+      defaults_(options_.defaults) {}
 
 PrinterWorker::~PrinterWorker() {
   {
@@ -116,7 +121,7 @@ Result<void> PrinterWorker::emergency_stop() {
   }();
   if (control) control->emergency_stop();
   if (control && control->is_heeded()) return {};
-  return tell_printer(options_.port, kEmergencyStop);
+  return tell_printer(port(), kEmergencyStop);
 }
 
 bool PrinterWorker::take_up(std::int64_t id, Consent consent) {
@@ -146,76 +151,6 @@ void PrinterWorker::run() {
       if (!printed || !*printed) break;
     }
   }
-}
-
-// False when the worker is to end.
-bool PrinterWorker::wait_for_work() {
-  const bool lost = may_connect() && !stay_idle();
-  std::unique_lock lock(mutex_);
-  const auto called = [this] { return look_again_ || stopping_; };
-  if (lost) {
-    changed_.wait_for(lock, kBetweenConnections, called);
-  } else {
-    changed_.wait(lock, called);
-  }
-  look_again_ = false;
-  return !stopping_;
-}
-
-bool PrinterWorker::is_called() {
-  const std::lock_guard lock(mutex_);
-  return look_again_ || stopping_;
-}
-
-bool PrinterWorker::may_connect() {
-  const auto address = parse_transport_address(options_.port);
-  if (!address || address->kind == TransportKind::kSim) return false;
-  const auto cut_off = store_.print_is_cut_off();
-  const std::lock_guard lock(mutex_);
-  return cut_off && !*cut_off && !left_alone_ && !look_again_ && !stopping_;
-}
-
-// Until there is work. Whether the connection was there until then.
-Result<void> PrinterWorker::stay_idle() {
-  auto transport = open_transport(*parse_transport_address(options_.port));
-  if (!transport) {
-    reporter_.connected(false, transport.error().message);
-    return fail(transport.error());
-  }
-  const auto control = begin_idle();
-  const SteadyClock clock;
-  const auto how = stay_connected(**transport, clock, *control, [this] { return is_called(); });
-  const bool stopped = end_idle();
-  transport->reset();
-  if (stopped) stop_again();
-  const std::string message = how ? "" : how.error().message;
-  if (stopped || halted_) {
-    reporter_.job_ended(PrinterActivity::kStopped, message);
-  } else {
-    reporter_.connected(false, message);
-  }
-  return how;
-}
-
-std::shared_ptr<PrintControl> PrinterWorker::begin_idle() {
-  const std::lock_guard lock(mutex_);
-  idle_ = std::make_shared<PrintControl>(
-      PrintControl::Listeners{[this](const SenderEvent& event) { reporter_.heard(event); },
-                              [this](SenderState state, const StreamFigures&) {
-                                halted_ |= state == SenderState::kHalted;
-                                if (state == SenderState::kReady) reporter_.connected(true, "");
-                              }});
-  halted_ = false;
-  return idle_;
-}
-
-// Whether it was to be stopped at once.
-bool PrinterWorker::end_idle() {
-  const std::lock_guard lock(mutex_);
-  const auto wish = std::exchange(idle_, nullptr)->wish();
-  const bool stopped = wish == PrintControl::Wish::kEmergencyStop;
-  left_alone_ |= halted_;
-  return stopped;
 }
 
 // False if there is nothing to be printed now.
@@ -273,11 +208,12 @@ void PrinterWorker::print(const StoredJob& job, std::optional<Consent> take_up) 
   reporter_.job_came_to(job.id, name_of(came_to.state), came_to.message);
   reporter_.job_ended(stopped ? PrinterActivity::kStopped : PrinterActivity::kIdle,
                       came_to.message);
+  give_back_freed_memory();
 }
 
 // An emergency stop may have been wished for when nobody heeded it any more; twice does no harm.
-void PrinterWorker::stop_again() const {
-  const auto told = tell_printer(options_.port, kEmergencyStop);
+void PrinterWorker::stop_again() {
+  const auto told = tell_printer(port(), kEmergencyStop);
   if (!told) spdlog::error("emergency stop: {}", told.error().message);
 }
 
@@ -316,7 +252,7 @@ Result<std::string> PrinterWorker::printed(const StoredJob& claimed,
   const auto stored = store_.job(claimed.id);
   if (!stored) return fail(stored.error());
   const StoredJob& job = *stored ? **stored : claimed;
-  const auto spec = job_spec_from_text(job.spec, options_.defaults);
+  const auto spec = job_spec_from_text(job.spec, defaults());
   if (!spec) return fail(spec.error());
   const auto name = FileName::from(job.file_name);
   if (!name) return fail(name.error());
@@ -331,14 +267,16 @@ Result<std::string> PrinterWorker::printed(const StoredJob& claimed,
                        job.file_name,
                        name->is_gcode(),
                        *spec,
-                       options_.port,
+                       port(),
                        store_.journal_of(job.id),
                        take_up,
-                       timeline};
+                       timeline,
+                       serial_log_};
   return run_print_task(task, *current(),
                         {[this](int layers) { reporter_.job_is_of(layers); },
                          [this](PrintedLayer layer) { reporter_.layer_began(std::move(layer)); },
-                         [this](double share) { reporter_.completion(share); }});
+                         [this](double share) { reporter_.completion(share); },
+                         [&](int layer) { return pauses_before(job.id, layer); }});
 }
 
 Store::Ending PrinterWorker::ending(const Result<std::string>& printed) {
@@ -348,6 +286,13 @@ Store::Ending PrinterWorker::ending(const Result<std::string>& printed) {
   const std::lock_guard lock(mutex_);
   if (stopping_) return {JobState::kInterrupted, "slipstick was stopped: " + message, ""};
   return {JobState::kCancelled, message, ""};
+}
+
+// Looked up when the layer comes: until then it may be changed.
+bool PrinterWorker::pauses_before(std::int64_t job, int layer) {
+  const auto stored = store_.job(job);
+  if (!stored) spdlog::error("job {}: {}", job, stored.error().message);
+  return stored && *stored && std::ranges::binary_search(pauses_of(**stored), layer);
 }
 
 // Nothing if the worker is to end.

@@ -12,6 +12,7 @@
 #include "host/resume_point.h"
 #include "host/serve/hook.h"
 #include "host/serve/job_spec.h"
+#include "host/serve/serial_log.h"
 #include "host/serve/status_reporter.h"
 #include "host/serve/store.h"
 
@@ -30,7 +31,7 @@ class PrinterWorker {
  public:
   struct Options {
     std::filesystem::path data;
-    std::string port;
+    std::string port;  ///< Of the printer there is at first, as `defaults.printer`.
     JobDefaults defaults;
     std::optional<HookTarget> power_on = {};  ///< Told before a print begins, which waits for it.
   };
@@ -45,6 +46,16 @@ class PrinterWorker {
   ~PrinterWorker();
   PrinterWorker(const PrinterWorker&) = delete;
   PrinterWorker& operator=(const PrinterWorker&) = delete;
+
+  /// The printer that there is, and what jobs are for unless they say otherwise.
+  [[nodiscard]] std::string port();
+  [[nodiscard]] JobDefaults defaults();
+  /// From now on. The printer there was is left with its heaters off. \return kPrinter while a
+  /// print is under way. \pre both are known to be good.
+  [[nodiscard]] Result<void> use(const PrinterChoice& choice);
+
+  /// Of all that is said to the printer, in prints and between them.
+  [[nodiscard]] SerialLog& serial_log() { return *serial_log_; }
 
   /// Something in the store changed: a job was added, the bed was cleared.
   void wake();
@@ -83,6 +94,7 @@ class PrinterWorker {
                                             std::optional<Consent> take_up);
   [[nodiscard]] Store::Ending ending(const Result<std::string>& printed);
   [[nodiscard]] std::shared_ptr<PrintControl> begin(std::int64_t id);
+  [[nodiscard]] bool pauses_before(std::int64_t job, int layer);
   PrintControl::Wish over();
   [[nodiscard]] std::shared_ptr<PrintControl> current();
   [[nodiscard]] bool wait_for_work();
@@ -90,16 +102,19 @@ class PrinterWorker {
   [[nodiscard]] Result<void> stay_idle();
   [[nodiscard]] std::shared_ptr<PrintControl> begin_idle();
   [[nodiscard]] bool end_idle();
-  void stop_again() const;
+  void stop_again();
   [[nodiscard]] bool is_called();
 
   const Options options_;
+  const std::shared_ptr<SerialLog> serial_log_;
   Store store_;              ///< The worker's own.
   StatusReporter reporter_;  ///< Likewise.
   bool halted_ = false;      ///< Likewise: the printer has stopped itself between prints.
 
   std::mutex mutex_;  ///< Protects what follows.
   std::condition_variable changed_;
+  std::string port_;
+  JobDefaults defaults_;
   std::shared_ptr<PrintControl> control_;       ///< Of the job under way.
   std::shared_ptr<SettingsTimeline> timeline_;  ///< Likewise, if it is a model.
   std::int64_t job_ = 0;

@@ -26,8 +26,7 @@ struct Services {
   Store store;
   Accounts accounts;
   LayerPreview preview;
-  JobDefaults defaults;
-  std::string port;  ///< Of the printer.
+  PrinterChoice words;  ///< What the command line says of the printer.
   PrinterWorker& printer;
   const StatusBoard& board;
   EventLog& events;

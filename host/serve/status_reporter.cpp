@@ -78,6 +78,8 @@ void StatusReporter::heard(const SenderEvent& event) {
     tell("state");
   } else if (const auto* message = std::get_if<MessageSeen>(&event)) {
     events_.publish("log", one_line({{"text", message->text}}));
+  } else if (const auto* answer = std::get_if<AnswerSeen>(&event)) {
+    events_.publish("log", one_line({{"text", answer->text}}));
   } else if (const auto* action = std::get_if<ActionSeen>(&event)) {
     events_.publish("log", one_line({{"text", "the printer asks: " + action->text}}));
   }

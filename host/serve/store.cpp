@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Version n of the schema is what the first n make. Never changed, only added to.
-constexpr std::array<std::string_view, 8> kMigrations{
+constexpr std::array<std::string_view, 10> kMigrations{
     "CREATE TABLE files (id INTEGER PRIMARY KEY AUTOINCREMENT, name TEXT NOT NULL, "
     "extension TEXT NOT NULL, size INTEGER NOT NULL, created INTEGER NOT NULL, "
     "current INTEGER NOT NULL DEFAULT 1) STRICT",
@@ -44,7 +44,11 @@ constexpr std::array<std::string_view, 8> kMigrations{
     "CREATE TABLE keys (id INTEGER PRIMARY KEY AUTOINCREMENT, hash TEXT NOT NULL UNIQUE, "
     "user INTEGER NOT NULL REFERENCES users (id) ON DELETE CASCADE, name TEXT NOT NULL, "
     "scope TEXT NOT NULL CHECK (scope IN ('read', 'print', 'control', 'admin')), "
-    "created INTEGER NOT NULL, used INTEGER NOT NULL DEFAULT 0) STRICT"};
+    "created INTEGER NOT NULL, used INTEGER NOT NULL DEFAULT 0) STRICT",
+    "ALTER TABLE jobs ADD COLUMN pauses TEXT NOT NULL DEFAULT '[]'",
+    // What was chosen, instead of which words of the command line.
+    "CREATE TABLE printer_choice (id INTEGER PRIMARY KEY CHECK (id = 1), port TEXT NOT NULL, "
+    "machine TEXT NOT NULL, over_port TEXT NOT NULL, over_machine TEXT NOT NULL) STRICT"};
 
 // Whose bytes are wanted: what is to be printed, and what was cut off and still lies on the bed.
 const std::string kWanted =

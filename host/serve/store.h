@@ -8,6 +8,7 @@
 
 #include "host/serve/database.h"
 #include "host/serve/file_names.h"
+#include "host/serve/printer_choice.h"
 
 namespace slipstick {
 
@@ -42,6 +43,7 @@ struct StoredJob {
   std::string message;  ///< Why it is not done.
   std::string result;   ///< JSON, or empty: what was printed.
   std::string changes;  ///< settings_changes_text.h, or empty: settings changed in the print.
+  std::string pauses;   ///< JSON: the layers before which the print is paused, in order.
 };
 
 /// Files and jobs, in a folder of their own: what was accepted survives the end of the process and
@@ -95,6 +97,9 @@ class Store {
   [[nodiscard]] Result<bool> set_spec(std::int64_t id, std::string_view spec);
   /// What was changed in the print of the job.
   [[nodiscard]] Result<void> set_changes(std::int64_t id, std::string_view changes);
+  /// Before which layers the print of the job is paused, unless it is over. \return whether it was
+  /// not.
+  [[nodiscard]] Result<bool> set_pauses(std::int64_t id, std::string_view pauses);
   /// Puts a queued job before all others. \return whether it was queued.
   [[nodiscard]] Result<bool> put_first(std::int64_t id);
   /// The newest first.
@@ -132,6 +137,12 @@ class Store {
   /// The name of the file that clients which first select and then start have selected, or empty.
   [[nodiscard]] Result<std::string> selected();
   [[nodiscard]] Result<void> select(std::string_view name);
+
+  /// What was chosen instead of `words`, those of the command line; else these. Other words than
+  /// those of that time are newer than the choice.
+  [[nodiscard]] Result<PrinterChoice> printer_instead_of(const PrinterChoice& words);
+  [[nodiscard]] Result<void> choose_printer(const PrinterChoice& choice,
+                                            const PrinterChoice& words);
 
  private:
   Store(std::filesystem::path folder, Database database)

@@ -1,4 +1,4 @@
-// Store: the queue and the history.
+// Store: the queue, the history and the printer.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ constexpr std::array<std::string_view, 6> kStateNames{"queued", "printing",  "do
 
 const std::string kJobColumns =
     "SELECT jobs.id, jobs.file, files.name, files.extension, jobs.spec, jobs.state, jobs.created, "
-    "jobs.started, jobs.ended, jobs.message, jobs.result, jobs.changes "
+    "jobs.started, jobs.ended, jobs.message, jobs.result, jobs.changes, jobs.pauses "
     "FROM jobs JOIN files ON files.id = jobs.file ";
 
 // The schema knows no other states.
@@ -26,9 +26,9 @@ JobState state_of(std::string_view name) {
 }
 
 StoredJob job_of(const SqlRow& row) {
-  return {row.integer(0), row.integer(1),        row.text(2),    row.text(3),
-          row.text(4),    state_of(row.text(5)), row.integer(6), row.integer(7),
-          row.integer(8), row.text(9),           row.text(10),   row.text(11)};
+  return {row.integer(0),        row.integer(1), row.text(2),    row.text(3),    row.text(4),
+          state_of(row.text(5)), row.integer(6), row.integer(7), row.integer(8), row.text(9),
+          row.text(10),          row.text(11),   row.text(12)};
 }
 
 Result<std::optional<StoredJob>> first_job(const Result<std::vector<SqlRow>>& rows) {
@@ -107,6 +107,14 @@ Result<void> Store::set_changes(std::int64_t id, std::string_view changes) {
       database_.change("UPDATE jobs SET changes = ?2 WHERE id = ?1", {id, std::string(changes)});
   if (!changed) return fail(changed.error());
   return {};
+}
+
+Result<bool> Store::set_pauses(std::int64_t id, std::string_view pauses) {
+  const auto changed = database_.change(
+      "UPDATE jobs SET pauses = ?2 WHERE id = ?1 AND state NOT IN ('done', 'cancelled')",
+      {id, std::string(pauses)});
+  if (!changed) return fail(changed.error());
+  return *changed == 1;
 }
 
 Result<bool> Store::put_first(std::int64_t id) {
@@ -199,6 +207,22 @@ Result<std::string> Store::selected() {
 
 Result<void> Store::select(std::string_view name) {
   const auto changed = database_.change("UPDATE printer SET selected = ?1", {std::string(name)});
+  if (!changed) return fail(changed.error());
+  return {};
+}
+
+Result<PrinterChoice> Store::printer_instead_of(const PrinterChoice& words) {
+  const auto rows = database_.query(
+      "SELECT port, machine FROM printer_choice WHERE over_port = ?1 AND over_machine = ?2",
+      {words.port, words.machine});
+  if (!rows) return fail(rows.error());
+  return rows->empty() ? words : PrinterChoice{(*rows)[0].text(0), (*rows)[0].text(1)};
+}
+
+Result<void> Store::choose_printer(const PrinterChoice& choice, const PrinterChoice& words) {
+  const auto changed =
+      database_.change("INSERT OR REPLACE INTO printer_choice VALUES (1, ?1, ?2, ?3, ?4)",
+                       {choice.port, choice.machine, words.port, words.machine});
   if (!changed) return fail(changed.error());
   return {};
 }

@@ -31,6 +31,7 @@ function fieldOf({key, name, unit, min, max, step}) {
 }
 
 function text([key, value]) {
+  if (key === 'cancel_object') return `without the object at ${value.split(' ').slice(1).map((mm) => Number(mm).toFixed(1)).join(', ')}`;
   const field = FIELDS.find((each) => each.key === key);
   if (!field) return `${key} ${value}`;
   return `${field.name.toLowerCase()} ${Number((value * field.times).toFixed(6))} ${field.unit}`.trim();

@@ -1,7 +1,7 @@
 # Writes the files of this folder that browsers get into one C++ source, so that the program is all
 # there is to install. Configured anew when one of them changes.
 set(web_files index.html login.html setup.html style.css main.js account.js api.js page.js canvas.js dashboard.js live.js
-  camera.js files.js pictures.js preview.js stack.js heat.js control.js changes.js jobs.js login.js setup.js terminal.js)
+  camera.js files.js pictures.js preview.js stack.js heat.js control.js apps.js changes.js pauses.js jobs.js login.js setup.js terminal.js)
 set(entries "")
 foreach(name ${web_files})
   set(path ${CMAKE_CURRENT_LIST_DIR}/${name})

@@ -1,6 +1,6 @@
 // The layer under way: what of it is laid, and what is to come.
 import {ask} from '/assets/api.js';
-import {$, quietly} from '/assets/page.js';
+import {$, quietly, tell} from '/assets/page.js';
 import {colour, pen, redrawn, view} from '/assets/canvas.js';
 
 const BEAD_MM = 0.45;
@@ -72,13 +72,13 @@ async function fetchLayer() {
   if (!layer || !printing) return;
   shown = layer;
   grow(layer.paths);
-  $('live').hidden = $('live-key').hidden = false;
+  $('live').hidden = $('live-key').hidden = $('leave-out').hidden = false;
   draw();
 }
 
 function clear() {
   shown = box = null;
-  $('live').hidden = $('live-key').hidden = true;
+  $('live').hidden = $('live-key').hidden = $('leave-out').hidden = true;
 }
 
 // `job`: as the daemon tells it, or null.
@@ -93,4 +93,22 @@ export function show(job) {
   }
 }
 
+// Where on the bed the picture was pointed at.
+function point({offsetX, offsetY}) {
+  if (!box) return;
+  const at = view(box, $('live').clientWidth, $('live').clientHeight);
+  $('leave-out').open = true;
+  $('leave-out-x').value = ((offsetX - at.x(0)) / at.scale).toFixed(1);
+  $('leave-out-y').value = ((at.y(0) - offsetY) / at.scale).toFixed(1);
+}
+
+async function leaveOut(event) {
+  event.preventDefault();
+  const [x, y] = [$('leave-out-x').valueAsNumber, $('leave-out-y').valueAsNumber];
+  if (!confirm(`Go on without what stands at X ${x}, Y ${y}? It cannot be taken back.`)) return;
+  if (await tell(`jobs/${printing.id}/cancel-object`, {x, y})) $('leave-out').open = false;
+}
+
+$('live').addEventListener('click', point);
+$('leave-out-form').addEventListener('submit', leaveOut);
 redrawn($('live'), draw);

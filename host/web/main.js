@@ -1,6 +1,7 @@
 // The page: what the daemon tells is shown, what is pressed is asked of it. Each part is a module.
 import * as account from '/assets/account.js';
 import {Refused, listen} from '/assets/api.js';
+import * as apps from '/assets/apps.js';
 import * as camera from '/assets/camera.js';
 import * as changes from '/assets/changes.js';
 import '/assets/control.js';
@@ -9,6 +10,7 @@ import * as files from '/assets/files.js';
 import * as heat from '/assets/heat.js';
 import * as jobs from '/assets/jobs.js';
 import {attempt, quietly, report} from '/assets/page.js';
+import * as pauses from '/assets/pauses.js';
 import * as terminal from '/assets/terminal.js';
 
 const RETRY_MS = 3000;
@@ -18,14 +20,17 @@ function onEvent(type, data) {
   if (type === 'state' || type === 'progress') {
     dashboard.show(data);
     changes.show(data.job);
+    pauses.show(data.job);
   }
   if (type === 'state') jobs.show();
   if (type === 'temperatures') heat.show(data);
   if (type === 'log') terminal.show(data.text);
   if (type === 'files') files.show();
+  if (type === 'apps') apps.refresh();
   if (type === 'jobs') {
     jobs.show();
     quietly(changes.refresh);
+    quietly(pauses.refresh);
   }
 }
 
@@ -35,6 +40,8 @@ function begin(state, wasLost) {
   heat.show(state.temperatures);
   files.show();
   camera.start();
+  terminal.start();
+  apps.refresh();
 }
 
 async function follow() {
@@ -56,5 +63,6 @@ async function follow() {
 }
 
 changes.start(attempt);
+pauses.start();
 account.start(report);
 follow();

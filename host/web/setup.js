@@ -1,5 +1,4 @@
-// The first run: an account, then what is known of the printer. What is chosen becomes lines for the
-// file that tells the daemon; the page changes nothing by itself.
+// The first run: an account, then which printer there is.
 import {ask} from '/assets/api.js';
 
 const $ = (id) => document.getElementById(id);
@@ -17,10 +16,6 @@ function option(value, text, chosen) {
   return made;
 }
 
-function showLines() {
-  $('lines').textContent = `PRINTER=${$('port').value}\nMACHINE=${$('profile').value}`;
-}
-
 async function showPrinter() {
   const about = await ask('GET', 'machine');
   $('printer').textContent = about.connected ? `${about.printer}: it answers` : `${about.printer}: no answer yet`;
@@ -31,7 +26,6 @@ async function showPrinter() {
     ...others.map(({path, product, usb}) => option(path, [path, product, usb].filter(Boolean).join(' '), '')));
   $('profile').replaceChildren(...about.machines.map((name) => option(name, name, about.machine)));
   report(about.fault ? new Error(about.fault) : null);
-  showLines();
 }
 
 async function toPrinter() {
@@ -42,11 +36,19 @@ async function toPrinter() {
   await showPrinter();
 }
 
+async function use() {
+  const {value: printer} = $('port');
+  await ask('PUT', 'machine', JSON.stringify({printer, machine: $('profile').value}));
+  await showPrinter();
+  $('used').textContent = `Used from now on: ${printer}, ${$('machine').textContent}.`;
+}
+
 async function look() {
   const {state, code} = await ask('GET', 'session');
   if (state === 'login') location.replace('/login');
   $('code-field').hidden = !code;
   $('code').required = code;
+  $('alone').hidden = state !== 'open';
   if (state === 'in') await toPrinter();
 }
 
@@ -73,7 +75,11 @@ $('account-form').addEventListener('submit', (event) => {
   event.preventDefault();
   make();
 });
-$('choice-form').addEventListener('submit', (event) => event.preventDefault());
+$('choice-form').addEventListener('submit', (event) => {
+  event.preventDefault();
+  report(null);
+  use().catch(report);
+});
 $('refresh').addEventListener('click', () => showPrinter().catch(report));
-for (const id of ['port', 'profile']) $(id).addEventListener('change', showLines);
+$('skip').addEventListener('click', () => toPrinter().catch(report));
 look().catch(report);

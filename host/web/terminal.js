@@ -1,5 +1,6 @@
 // What the printer says, and what is said to it; arrow up brings back what was said before.
-import {$, element, tell} from '/assets/page.js';
+import {ask} from '/assets/api.js';
+import {$, attempt, element, tell} from '/assets/page.js';
 
 const LINES = 300;
 const REMEMBERED = 100;
@@ -38,5 +39,17 @@ function leaf(event) {
   $('say').value = said[at] ?? '';
 }
 
+// Who may not see it is not offered it.
+export async function start() {
+  try {
+    $('wire-on').checked = (await ask('GET', 'printer/serial-log')).on;
+    $('wire').hidden = false;
+  } catch {
+    $('wire').hidden = true;
+  }
+}
+
+$('wire-on').addEventListener('change', ({target}) =>
+  attempt(() => ask('PUT', 'printer/serial-log', JSON.stringify({on: target.checked}))));
 $('say-form').addEventListener('submit', say);
 $('say').addEventListener('keydown', leaf);

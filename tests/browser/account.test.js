@@ -45,7 +45,10 @@ for (const [name, look] of Object.entries({'a desktop': DESKTOP, 'a phone': PHON
   test(`The first start asks for an account, shows the printer, and then the page is there (${name})`, () =>
     firstStart(look, async (window, url, shop) => {
       await setUp(window, url, shop);
-      assert.match(await window.locator('#lines').textContent(), /^PRINTER=pty:.*\nMACHINE=generic_marlin$/);
+      assert.match(await window.locator('#printer').textContent(), /^pty:.*: it answers$/);
+      await window.getByLabel('Printer profiles').selectOption('ender3');
+      await window.getByRole('button', {name: 'Use these'}).click();
+      await window.locator('#used').filter({hasText: /^Used from now on: pty:.*, ender3\.$/}).waitFor();
 
       await window.goto(url);
 
@@ -60,7 +63,7 @@ test('Who logs out comes back by the password only, and a key is shown once', ()
     await connected(window);
 
     await window.getByLabel('Name of a new key').fill('slicer');
-    await window.getByLabel('Your password').fill(PASSWORD);
+    await window.locator('#new-key-form').getByLabel('Your password').fill(PASSWORD);
     await window.getByRole('button', {name: 'Make the key'}).click();
     await window.locator('#made-key').filter({hasText: /^[0-9a-f]{64}$/}).waitFor();
     const key = await window.locator('#made-key').textContent();
@@ -81,4 +84,29 @@ test('Who logs out comes back by the password only, and a key is shown once', ()
 
     await window.waitForURL(`${url}/`);
     await connected(window);
+  }));
+
+test('A program that asks gets a key when it is given one on the page, and no other', () =>
+  firstStart(DESKTOP, async (window, url, shop) => {
+    await setUp(window, url, shop);
+    await window.goto(url);
+    await connected(window);
+    const nobody = {headers: {Cookie: ''}};
+    const ask = () => window.request.post(`${url}/plugin/appkeys/request`, {data: {app: 'Cura'}, ...nobody});
+    const answer = (token) => window.request.get(`${url}/plugin/appkeys/request/${token}`, nobody);
+    const refused = (await (await ask()).json()).app_token;
+
+    await window.getByRole('heading', {name: 'Programs ask for a key'}).waitFor();
+    await window.getByRole('button', {name: 'Refuse it'}).click();
+    await window.locator('#apps').waitFor({state: 'hidden'});
+    const given = (await (await ask()).json()).app_token;
+    await window.locator('#apps').waitFor();
+    await window.locator('#app-password').fill(PASSWORD);
+    await window.getByRole('button', {name: 'Give it a key'}).click();
+    await window.locator('#apps').waitFor({state: 'hidden'});
+
+    assert.equal((await answer(refused)).status(), 404);
+    const {api_key: key} = await (await answer(given)).json();
+    const state = await window.request.get(`${url}/api/job`, {headers: {'X-Api-Key': key, Cookie: ''}});
+    assert.equal(state.status(), 200);
   }));

@@ -42,8 +42,10 @@ test('A script with a mistake is told with its line, and nothing is printed', ()
 test('A deleted file is gone from the list; one of the same name replaces it', () =>
   atWork({}, async (page) => {
     await page.put('tile.lua', TILE);
+    await page.pictured('tile.lua');
     await page.put('tile.lua', `${TILE}-- again\n`);
     assert.equal(await page.file('tile.lua').count(), 1);
+    await page.pictured('tile.lua');
 
     await page.press('Delete tile.lua');
 

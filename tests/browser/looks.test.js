@@ -36,10 +36,12 @@ test('A print is begun, paused and cancelled by keys alone, and the focus is alw
       assert.fail(`Tab does not lead to ${name}`);
     };
 
+    // Long before the key: a browser under load opens its own dialog otherwise.
+    page.page.once('filechooser', (chooser) =>
+      chooser.setFiles({name: 'tower.lua', mimeType: 'text/plain', buffer: Buffer.from(TOWER)}));
+
     await tabTo('Drop models or G-code here, or choose:');
-    const chooser = page.page.waitForEvent('filechooser');
     await keys.press('Enter');
-    await (await chooser).setFiles({name: 'tower.lua', mimeType: 'text/plain', buffer: Buffer.from(TOWER)});
     await page.file('tower.lua').waitFor();
     await tabTo('Queue tower.lua');
     await keys.press('Enter');

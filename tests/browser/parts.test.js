@@ -37,11 +37,11 @@ test('The layer is there again for whoever loads the page in the middle of a pri
 
 test('Temperatures are set and switched off between prints, told with what they are to be, and drawn', () =>
   atWork({speed: 100}, async (page) => {
-    await page.field('Nozzle (°C)').fill('90');
+    await page.dial('Nozzle (°C)').fill('90');
     await page.press('Set the nozzle');
     await page.says(page.page.locator('#heat'), /nozzle .* of 90 °C/);
     assert.ok(await page.drawn('#chart') > 0.005);
-    assert.equal(await page.field('Nozzle (°C)').inputValue(), '');
+    assert.equal(await page.dial('Nozzle (°C)').inputValue(), '');
 
     await page.press('Nozzle off');
 
@@ -79,7 +79,7 @@ test('In a print nothing can be moved, but speed, flow, fan and height are chang
     await page.until(() => document.querySelector('#progress').value > 0);
 
     for (const [dial, value] of [['Speed', '150'], ['Flow', '95'], ['Fan', '40']]) {
-      const field = page.field(`${dial} (%)`);
+      const field = page.dial(`${dial} (%)`);
       await field.fill(value);
       await page.press(`Set the ${dial.toLowerCase()}`);
       await page.until((id) => document.getElementById(id).value === '', await field.getAttribute('id'));
@@ -87,6 +87,18 @@ test('In a print nothing can be moved, but speed, flow, fan and height are chang
     await page.press('Nozzle 0.02 mm lower');
 
     assert.equal(await page.fault.isVisible(), false);
+  }));
+
+test('Answers of the printer are shown, and what goes over the wire is written down when that is wanted', () =>
+  atWork({speed: 200}, async (page, watch, workshop) => {
+    await page.field('Write down all that goes over the wire').check();
+    await page.say('G28');
+    await page.say('G1 X7 F6000');
+    await page.say('M114');
+    await page.says(page.page.locator('#log .printer'), /X:7\.00 Y:0\.00 Z:0\.00/);
+
+    const lines = await page.page.request.get(`${workshop.url}/api/v1/printer/serial-log/lines`);
+    assert.match(await lines.text(), / > N\d+ M114\*\d+\n[^]* < X:7\.00 Y:0\.00 Z:0\.00 E:0\.00/);
   }));
 
 test('What was said is brought back by arrow up, and what the printer does not know is told', () =>

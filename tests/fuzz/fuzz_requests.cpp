@@ -23,8 +23,7 @@ struct Site {
   Services services{*Store::open(folder.path()),
                     *Accounts::open(folder.path()),
                     {},
-                    {},
-                    "sim:",
+                    {"sim:", "generic_marlin"},
                     *worker,
                     board,
                     events,
@@ -35,6 +34,7 @@ struct Site {
 HttpMethod method_of(std::string_view word) {
   if (word == "GET") return HttpMethod::kGet;
   if (word == "POST") return HttpMethod::kPost;
+  if (word == "PUT") return HttpMethod::kPut;
   if (word == "DELETE") return HttpMethod::kDelete;
   return HttpMethod::kOther;
 }

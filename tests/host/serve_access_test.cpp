@@ -201,9 +201,10 @@ TEST_CASE("What anyone may ask for is the page and the way in, and nothing else"
     }
   }
 
-  CHECK(open == std::set<std::string>{"GET /", "GET /assets/{name}", "GET /login", "GET /setup",
-                                      "GET /api/v1/session", "POST /api/v1/setup",
-                                      "POST /api/v1/login", "GET /sockjs/info",
-                                      "GET /sockjs/websocket",
-                                      "GET /sockjs/{server}/{session}/websocket"});
+  CHECK(open ==
+        std::set<std::string>{"GET /", "GET /assets/{name}", "GET /login", "GET /setup",
+                              "GET /api/v1/session", "POST /api/v1/setup", "POST /api/v1/login",
+                              "GET /plugin/appkeys/probe", "POST /plugin/appkeys/request",
+                              "GET /plugin/appkeys/request/{token}", "GET /sockjs/info",
+                              "GET /sockjs/websocket", "GET /sockjs/{server}/{session}/websocket"});
 }

@@ -37,6 +37,11 @@ export class PrinterPage {
     return this.page.getByLabel(label, {exact: true});
   }
 
+  // What is set at once, beside what is changed in the layers to come.
+  dial(label) {
+    return this.page.locator('#control').getByLabel(label, {exact: true});
+  }
+
   // Waits until `locator` shows what matches.
   says(locator, pattern) {
     return locator.filter({hasText: pattern}).waitFor();
